@@ -1,0 +1,4 @@
+/** Two-dimensional unit physics for real-time strategy games. */
+module yarts.physics {
+    exports yarts.physics;
+}

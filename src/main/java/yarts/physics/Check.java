@@ -1,0 +1,58 @@
+package yarts.physics;
+
+/** The doors of the library: what is accepted, and what is said of the rest. Comparisons are written so that NaN fails. */
+final class Check {
+    /** Longest dt and elapsed; in seconds (32 years). */
+    static final double MAX_TIME = 1e9;
+
+    /**
+     * Largest force and impulse component, friction and mass, and the inverse of the smallest mass; in SI measures. The
+     * limits are such that 2^63 calls of applyForce, stepped by MAX_TIME, leave a velocity whose square does not overflow.
+     */
+    static final double MAX = 1e50;
+
+    private Check() {}
+
+    static double time(String name, double t) {
+        if (!(t >= 0 && t <= MAX_TIME)) throw refused(name, "finite, >= 0 and <= 1.0E9 s", t);
+        return t + 0.0; // -0.0 is 0.0
+    }
+
+    static double mass(double mass) {
+        if (!(mass >= 1 / MAX && mass <= MAX)) {
+            throw refused("mass", "finite and > 0 (not zero; from 1.0E-50 to 1.0E50 kg)", mass);
+        }
+        return mass;
+    }
+
+    static double friction(double friction) {
+        if (!(friction >= 0 && friction <= MAX)) {
+            throw refused("friction", "finite, >= 0 and <= 1.0E50 N·s/m", friction);
+        }
+        return friction + 0.0;
+    }
+
+    static double maxSpeed(double maxSpeed) {
+        if (!(maxSpeed >= 0)) throw refused("maxSpeed", ">= 0 m/s (infinite: no cap)", maxSpeed);
+        return maxSpeed + 0.0;
+    }
+
+    static double finite(String name, double value) {
+        if (!(Math.abs(value) <= Double.MAX_VALUE)) throw refused(name, "finite", value);
+        return value + 0.0;
+    }
+
+    /** A component of a force or of an impulse. */
+    static void push(String name, double value) {
+        if (!(Math.abs(value) <= MAX)) throw refused(name, "finite and at most 1.0E50 in magnitude", value);
+    }
+
+    static <T> T notNull(String name, T value) {
+        if (value == null) throw new NullPointerException(name + " must not be null");
+        return value;
+    }
+
+    static IllegalArgumentException refused(String name, String rule, Object value) {
+        return new IllegalArgumentException(name + " must be " + rule + ", was " + value);
+    }
+}

@@ -1,0 +1,179 @@
+package yarts.physics;
+
+import java.util.Arrays;
+
+/**
+ * A table of units: a row a unit, an array a quantity. Worlds have one table for all their units; a unit outside a world has
+ * a table of one row.
+ *
+ * <p>Whenever {@link #how} is set, the coefficients of every row in use are those of (mass, friction, {@link #dt}, how).
+ */
+final class Columns {
+    private static final int COUNT = 20;
+
+    /** The world whose table this is, or null. */
+    final World world;
+
+    double[] x, y, vx, vy;
+    /** The force for the next step. */
+    double[] fx, fy;
+    /** The force that a frame gives to each of its steps; valid while World.advance runs them. */
+    double[] frameX, frameY;
+    /** The impulse of forces that acted during the clock's remainder, which no step has covered yet. */
+    double[] carryX, carryY;
+    /** The position before the last step, to interpolate from. */
+    double[] previousX, previousY;
+
+    double[] mass, friction, maxSpeed;
+    /** The maxSpeed within [Kernel.NO_SPEED, Kernel.FASTEST]: never 0 nor infinite, so that the kernel needs no branch. */
+    double[] cap;
+    /** The coefficients of a step: decay(z), gain(z) dt/m and 1 − weight(z), as in {@link Integrator}. */
+    double[] decay, gain, lag;
+    /** 1 − lag. */
+    double[] lead;
+
+    private double[][] all;
+    private Integrator how;
+    private double dt;
+
+    Columns(World world, int capacity) {
+        this.world = world;
+        use(new double[COUNT][capacity]);
+    }
+
+    private void use(double[][] a) {
+        all = a;
+        int i = 0;
+        x = a[i++];
+        y = a[i++];
+        vx = a[i++];
+        vy = a[i++];
+        fx = a[i++];
+        fy = a[i++];
+        frameX = a[i++];
+        frameY = a[i++];
+        carryX = a[i++];
+        carryY = a[i++];
+        previousX = a[i++];
+        previousY = a[i++];
+        mass = a[i++];
+        friction = a[i++];
+        maxSpeed = a[i++];
+        cap = a[i++];
+        decay = a[i++];
+        gain = a[i++];
+        lag = a[i++];
+        lead = a[i++];
+    }
+
+    int capacity() {
+        return x.length;
+    }
+
+    void grow() {
+        double[][] grown = new double[COUNT][];
+        for (int k = 0; k < COUNT; k++) grown[k] = Arrays.copyOf(all[k], 2 * capacity());
+        use(grown);
+    }
+
+    /** Row i of this table becomes row j of another, which may be this one. */
+    void copyRow(int i, Columns to, int j) {
+        for (int k = 0; k < COUNT; k++) to.all[k][j] = all[k][i];
+        if (to != this) {
+            to.frameX[j] = to.frameY[j] = 0; // what a frame of another table gave its steps
+            to.settle(j);
+            to.update(j);
+        }
+    }
+
+    /** The unit is where it is: nothing to interpolate from. */
+    void settle(int i) {
+        previousX[i] = x[i];
+        previousY[i] = y[i];
+    }
+
+    void clearForces(int i) {
+        fx[i] = fy[i] = frameX[i] = frameY[i] = carryX[i] = carryY[i] = 0;
+    }
+
+    /** Follows a change of a row's mass or friction. */
+    void update(int i) {
+        if (how != null) Kernel.coefficients(this, i, i + 1, dt, how);
+    }
+
+    /** Steps every one of the first n rows. */
+    void stepAll(int n, double dt, Integrator how) {
+        if (dt != this.dt || how != this.how) {
+            this.dt = dt;
+            this.how = how;
+            Kernel.coefficients(this, 0, n, dt, how);
+        }
+        Kernel.step(this, 0, n, dt, how);
+    }
+
+    /** Steps row i alone, whatever step the table's coefficients are for. */
+    void stepOne(int i, double dt, Integrator how) {
+        if (world == null) {
+            stepAll(1, dt, how);
+        } else {
+            Kernel.coefficients(this, i, i + 1, dt, how);
+            Kernel.step(this, i, i + 1, dt, how);
+            update(i);
+        }
+        settle(i);
+    }
+
+    /**
+     * A frame in which no step fell due, and which left the clock's remainder longer by {@code elapsed}: the forces'
+     * impulse waits for the step that will cover that time.
+     */
+    void carry(int n, double elapsed) {
+        carry(carryX, fx, n, elapsed);
+        carry(carryY, fy, n, elapsed);
+    }
+
+    private static void carry(double[] carry, double[] f, int n, double elapsed) {
+        for (int i = 0; i < n; i++) {
+            carry[i] += f[i] * elapsed;
+            f[i] = 0;
+        }
+    }
+
+    /**
+     * A frame whose steps cover {@code covered} seconds. The remainder was {@code before} and is {@code after}, so the forces
+     * F of this frame acted for covered − before + after. Of their impulse F·after is for later; the rest, with what was
+     * carried, is spread evenly over the steps: (carry + F (covered − before)) / covered, written so that a constant force
+     * is passed on to the bit.
+     */
+    void spread(int n, double before, double after, double covered) {
+        spread(carryX, frameX, fx, n, before, after, covered);
+        spread(carryY, frameY, fy, n, before, after, covered);
+    }
+
+    private static void spread(
+            double[] carry, double[] frame, double[] f, int n, double before, double after, double covered) {
+        for (int i = 0; i < n; i++) {
+            double force = f[i];
+            frame[i] = force + (carry[i] - force * before) / covered;
+            carry[i] = force * after;
+            f[i] = frame[i];
+        }
+    }
+
+    /** The frame's forces, for its next step. */
+    void repeatFrame(int n) {
+        System.arraycopy(frameX, 0, fx, 0, n);
+        System.arraycopy(frameY, 0, fy, 0, n);
+    }
+
+    void dropStepForces(int n) {
+        Arrays.fill(fx, 0, n, 0);
+        Arrays.fill(fy, 0, n, 0);
+    }
+
+    /** The positions from which to interpolate are the present ones. */
+    void settleAll(int n) {
+        System.arraycopy(x, 0, previousX, 0, n);
+        System.arraycopy(y, 0, previousY, 0, n);
+    }
+}

@@ -1,0 +1,349 @@
+package yarts.physics;
+
+import java.util.AbstractList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Objects;
+import java.util.RandomAccess;
+
+/**
+ * Steps many units together, at fixed or variable timesteps.
+ *
+ * <pre>{@code
+ * World world = new World(Integrator.EXACT, Timestep.fixed(60));
+ * world.setStepListener((w, dt) -> steer(w));
+ * // every frame:
+ * world.advance(secondsSinceLastFrame);
+ * world.copyPositions(buffer, 0);
+ * }</pre>
+ *
+ * <p><b>Order.</b> Units are numbered 0 to size − 1, in the order in which they were added. Removing one gives its number to
+ * the last. While iterating, remove through the iterator, which visits every other unit all the same; adding or removing in
+ * any other way makes the iterator throw {@link java.util.ConcurrentModificationException}.
+ *
+ * <p>Units do not act on one another, and every unit moves exactly as it would alone: the same bits as {@link
+ * Unit#integrate(double, Integrator)}. Once it has grown to its size, a world creates no garbage. Not safe for use by several
+ * threads at once.
+ */
+public final class World implements Iterable<Unit> {
+    private final Integrator how;
+    private final Timestep timestep;
+    private final Clock clock;
+    private final Columns columns = new Columns(this, 16);
+    private final Members members = new Members();
+    private final List<Unit> units = Collections.unmodifiableList(members);
+    private StepListener listener;
+    private boolean stepping;
+    /** Whether the last step was one to interpolate over. */
+    private boolean interpolating;
+
+    /** Creates an empty world with {@link Integrator#EULER} and 60 fixed steps a second. */
+    public World() {
+        this(Integrator.EULER, Timestep.fixed(60));
+    }
+
+    /**
+     * Creates an empty world.
+     *
+     * @param how the integrator
+     * @param timestep how {@link #advance} turns time into steps
+     */
+    public World(Integrator how, Timestep timestep) {
+        this.how = Check.notNull("how", how);
+        this.timestep = Check.notNull("timestep", timestep);
+        clock = new Clock(timestep);
+    }
+
+    /**
+     * Adds a unit, as the last, with its state and the forces applied to it.
+     *
+     * @param <U> the unit's own type
+     * @param unit a unit that is in no world
+     * @return the unit
+     * @throws IllegalStateException if the unit is in a world already, this one or another
+     */
+    public <U extends Unit> U add(U unit) {
+        if (Check.notNull("unit", unit).getWorld() != null) {
+            throw new IllegalStateException("a unit can be in one world only, and this one is in "
+                    + (contains(unit) ? "this world already: " : "another: ") + unit);
+        }
+        members.append(unit);
+        return unit;
+    }
+
+    /**
+     * Removes a unit, which keeps its state. The last unit takes its number.
+     *
+     * @param unit a unit
+     * @return whether the unit was in this world
+     */
+    public boolean remove(Unit unit) {
+        if (!contains(unit)) return false;
+        members.remove(unit.row);
+        return true;
+    }
+
+    /**
+     * Tells whether a unit is in this world, in constant time.
+     *
+     * @param unit a unit, or null
+     * @return whether it is
+     */
+    public boolean contains(Unit unit) {
+        return unit != null && unit.columns == columns;
+    }
+
+    /** Removes all units, which keep their state. Time stays as it is. */
+    public void clear() {
+        members.clear();
+    }
+
+    /** {@return the number of units} */
+    public int size() {
+        return members.size;
+    }
+
+    /**
+     * {@return the unit with a number}
+     *
+     * @param index the number, from 0 to size − 1
+     * @throws IndexOutOfBoundsException if there is none
+     */
+    public Unit get(int index) {
+        return members.get(index);
+    }
+
+    /** {@return the units in order: a live view that cannot be modified} */
+    public List<Unit> units() {
+        return units;
+    }
+
+    /** {@return an iterator over the units in order, which can remove them} */
+    @Override
+    public Iterator<Unit> iterator() {
+        return members.iterator();
+    }
+
+    /**
+     * Runs one step of exactly dt. Forces applied before it act for dt.
+     *
+     * @param dt in seconds, from 0 to 1e9
+     * @throws IllegalArgumentException if dt is out of range
+     * @throws IllegalStateException if called from a {@link StepListener}
+     */
+    public void step(double dt) {
+        dt = Check.time("dt", dt);
+        begin();
+        try {
+            run(dt);
+            interpolating = false;
+        } finally {
+            stepping = false;
+        }
+    }
+
+    /**
+     * Advances by a frame's time, in steps as the {@link Timestep} says.
+     *
+     * <p>Forces applied before it act for the elapsed time: their impulse F·elapsed is spread evenly over the steps that the
+     * time turns into, and what falls in a remainder that no step has covered yet waits for the next advance, with the
+     * remainder. So a push applied once a frame moves a unit alike at any frame rate. Time beyond the limit of {@link
+     * Timestep#withMaxSteps} is dropped, and the forces' share of it too.
+     *
+     * @param elapsed in seconds, from 0 to 1e9; rounded to nanoseconds if steps are fixed
+     * @return how many steps were run
+     * @throws IllegalArgumentException if elapsed is out of range
+     * @throws IllegalStateException if called from a {@link StepListener}
+     */
+    public int advance(double elapsed) {
+        elapsed = Check.time("elapsed", elapsed);
+        begin();
+        try {
+            return timestep.isFixed() ? advanceFixed(elapsed) : advanceVariable(elapsed);
+        } finally {
+            stepping = false;
+        }
+    }
+
+    private int advanceFixed(double elapsed) {
+        double before = clock.remainder();
+        long due = clock.stepsDue(elapsed);
+        double after = clock.remainder();
+        if (due == 0) {
+            columns.carry(size(), after - before);
+            return 0;
+        }
+        columns.spread(size(), before, after, (double) due / timestep.rate);
+        return run(due, timestep.maxStep);
+    }
+
+    private int advanceVariable(double elapsed) {
+        double most = timestep.maxSteps * timestep.maxStep;
+        if (elapsed > most) {
+            clock.drop(elapsed - most);
+            elapsed = most;
+        }
+        if (elapsed == 0) {
+            columns.dropStepForces(size());
+            return 0;
+        }
+        long steps = Math.max(1, (long) (elapsed / timestep.maxStep));
+        if (elapsed / steps > timestep.maxStep && steps < timestep.maxSteps) steps++;
+        columns.spread(size(), 0, 0, elapsed);
+        return run(steps, Math.min(elapsed / steps, timestep.maxStep));
+    }
+
+    /** Runs the steps due, as far as the limit allows, with the frame's forces in each; drops those not run. */
+    private int run(long due, double dt) {
+        int ran = 0;
+        try {
+            int n = (int) Math.min(due, timestep.maxSteps);
+            while (ran < n) {
+                if (ran > 0) columns.repeatFrame(size());
+                interpolating = timestep.isFixed() && ran == n - 1;
+                run(dt);
+                ran++;
+            }
+        } finally {
+            clock.drop(due - ran, dt);
+            columns.dropStepForces(size()); // of a step that the listener stopped with an exception
+        }
+        return ran;
+    }
+
+    private void run(double dt) {
+        if (listener != null) listener.beforeStep(this, dt);
+        if (interpolating) columns.settleAll(size());
+        columns.stepAll(size(), dt, how);
+        clock.ran(dt);
+    }
+
+    private void begin() {
+        if (stepping) throw new IllegalStateException("a step is running: a StepListener must not step its world");
+        stepping = true;
+    }
+
+    /** {@return how far time is on its way from the last fixed step to the next: at least 0, and below 1 even as a float} */
+    public double getAlpha() {
+        return clock.alpha();
+    }
+
+    /** {@return the number of steps run so far} */
+    public long getTick() {
+        return clock.tick();
+    }
+
+    /** {@return the simulated time in seconds: that of the steps run so far} */
+    public double getTime() {
+        return clock.time();
+    }
+
+    /** {@return the seconds that {@link #advance} dropped so far, since they were beyond the catch-up limit} */
+    public double getDroppedTime() {
+        return clock.droppedTime();
+    }
+
+    /**
+     * Sets what to call before each step.
+     *
+     * @param listener the listener, or null for none
+     */
+    public void setStepListener(StepListener listener) {
+        this.listener = listener;
+    }
+
+    /**
+     * Copies the interpolated positions of all units, in order, as x0, y0, x1, y1, … into a renderer's buffer.
+     *
+     * @param xy the buffer; values beyond the range of float become the largest float
+     * @param offset where x0 goes
+     * @throws IndexOutOfBoundsException if the buffer has no room for 2·size floats from offset; it is unchanged then
+     */
+    public void copyPositions(float[] xy, int offset) {
+        Objects.checkFromIndexSize(offset, 2 * size(), xy.length);
+        for (int i = 0, j = offset; i < size(); i++) {
+            xy[j++] = narrow(interpolate(columns.previousX[i], columns.x[i]));
+            xy[j++] = narrow(interpolate(columns.previousY[i], columns.y[i]));
+        }
+    }
+
+    private static float narrow(double v) {
+        return (float) Math.max(-Float.MAX_VALUE, Math.min(Float.MAX_VALUE, v));
+    }
+
+    double interpolate(double previous, double present) {
+        return interpolating ? previous + (present - previous) * clock.alpha() : present;
+    }
+
+    /** The handles of the rows. Its iterator fails fast, and its remove moves the last unit into the gap. */
+    private final class Members extends AbstractList<Unit> implements RandomAccess {
+        private Unit[] list = new Unit[16];
+        private int size;
+
+        void append(Unit unit) {
+            if (size == columns.capacity()) columns.grow();
+            if (size == list.length) list = Arrays.copyOf(list, 2 * size);
+            unit.columns.copyRow(unit.row, columns, size);
+            place(unit, columns, size++);
+            modCount++;
+        }
+
+        @Override
+        public Unit remove(int index) {
+            Unit unit = get(index);
+            release(unit);
+            Unit last = list[--size];
+            list[size] = null;
+            if (last != unit) {
+                columns.copyRow(size, columns, index);
+                place(last, columns, index);
+            }
+            modCount++;
+            return unit;
+        }
+
+        @Override
+        public void clear() {
+            for (int i = 0; i < size; i++) release(list[i]);
+            Arrays.fill(list, 0, size, null);
+            size = 0;
+            modCount++;
+        }
+
+        private void release(Unit unit) {
+            Columns own = new Columns(null, 1);
+            columns.copyRow(unit.row, own, 0);
+            unit.columns = own;
+            unit.row = 0;
+        }
+
+        private void place(Unit unit, Columns table, int row) {
+            list[row] = unit;
+            unit.columns = table;
+            unit.row = row;
+        }
+
+        @Override
+        public Unit get(int index) {
+            Objects.checkIndex(index, size);
+            return list[index];
+        }
+
+        @Override
+        public int size() {
+            return size;
+        }
+
+        @Override
+        public boolean contains(Object o) {
+            return indexOf(o) >= 0;
+        }
+
+        @Override
+        public int indexOf(Object o) {
+            return o instanceof Unit && World.this.contains((Unit) o) ? ((Unit) o).row : -1;
+        }
+    }
+}
