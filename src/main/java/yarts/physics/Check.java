@@ -5,9 +5,11 @@ final class Check {
     /** Longest dt and elapsed; in seconds (32 years). */
     static final double MAX_TIME = 1e9;
 
+    /** The smallest mass; in kg. */
+    static final double MIN_MASS = 1e-50;
+
     /**
-     * Largest force and impulse component, friction and mass, and the inverse of the smallest mass; in SI measures. The
-     * limits are such that 2^63 calls of applyForce, stepped by MAX_TIME, leave a velocity whose square does not overflow.
+     * Largest force and impulse component, friction and mass; in SI measures. The limits are such that 2^63 calls of applyForce, stepped by MAX_TIME, leave a velocity whose square does not overflow.
      */
     static final double MAX = 1e50;
 
@@ -19,7 +21,7 @@ final class Check {
     }
 
     static double mass(double mass) {
-        if (!(mass >= 1 / MAX && mass <= MAX)) {
+        if (!(mass >= MIN_MASS && mass <= MAX)) {
             throw refused("mass", "finite and > 0 (not zero; from 1.0E-50 to 1.0E50 kg)", mass);
         }
         return mass;

@@ -27,7 +27,7 @@ final class Kernel {
     static final double REST = 0x1p-500;
 
     /** The cap of a unit whose maxSpeed is 0; in m/s. Far enough below REST for {@link #rest} to make it 0 in one go. */
-    static final double NO_SPEED = 0x1p-1000;
+    static final double NO_SPEED = 0x1p-900;
 
     private Kernel() {}
 
@@ -76,11 +76,18 @@ final class Kernel {
         for (int i = from; i < to; i++) next[i] = decay[i] * v[i] + gain[i] * f[i];
     }
 
-    /** The speed cap, and rest. The velocities' components must be below 2^510. */
+    /**
+     * The speed cap, and rest. The velocities' components must be below 2^510.
+     *
+     * <p>A speed above the cap c becomes c less 8 to 16 rounding errors, more than the arithmetic makes: no unit is ever over
+     * its cap, and one exactly at it stays so.
+     */
     static void cap(double[] vx, double[] vy, double[] cap, int from, int to) {
         for (int i = from; i < to; i++) {
             double a = vx[i], b = vy[i], c = cap[i];
-            double k = c / Math.max(Math.sqrt(a * a + b * b), c); // 1 below the cap, exactly
+            double s = Math.sqrt(a * a + b * b);
+            double margin = Math.min(8 * Math.max(s - c, 0), c * 0x1p-50); // 0 up to the cap
+            double k = (c - margin) / Math.max(s, c); // 1 up to the cap
             vx[i] = rest(a * k);
             vy[i] = rest(b * k);
         }

@@ -140,13 +140,15 @@ public class Unit {
     private void accept(double vx, double vy) {
         double most = Math.max(Math.abs(vx), Math.abs(vy));
         double scale = most > Kernel.FASTEST ? Kernel.FASTEST / most : 1; // so that squares do not overflow
-        columns.vx[row] = Math.abs(vx) < Kernel.REST ? 0 : vx * scale;
-        columns.vy[row] = Math.abs(vy) < Kernel.REST ? 0 : vy * scale;
+        columns.vx[row] = vx * scale;
+        columns.vy[row] = vy * scale;
         cap();
     }
 
     private void cap() {
         Kernel.cap(columns.vx, columns.vy, columns.cap, row, row + 1);
+        if (Math.abs(getVx()) < Kernel.REST) columns.vx[row] = 0; // not in a few steps, as the kernel does
+        if (Math.abs(getVy()) < Kernel.REST) columns.vy[row] = 0;
     }
 
     /**

@@ -1,0 +1,229 @@
+package yarts.physics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.lang.reflect.Field;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.DoublePredicate;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Every argument of every method: accepted and harmless, or refused with the value and the rule, and nothing changed. */
+class DoorsTest {
+    private static final double[] VALUES = {
+        Double.NaN,
+        Double.POSITIVE_INFINITY,
+        Double.NEGATIVE_INFINITY,
+        -0.0,
+        0.0,
+        1,
+        -1,
+        Double.MIN_VALUE,
+        -Double.MIN_VALUE,
+        Double.MIN_NORMAL,
+        -Double.MIN_NORMAL,
+        1e-50,
+        Math.nextDown(1e-50),
+        1e9,
+        Math.nextUp(1e9),
+        1e50,
+        Math.nextUp(1e50),
+        -1e50,
+        -Math.nextUp(1e50),
+        1e154,
+        -1e154,
+        Double.MAX_VALUE,
+        -Double.MAX_VALUE,
+    };
+
+    private interface Call {
+        void on(World world, Unit unit, double value);
+    }
+
+    /** A method with one argument varied: its name, what it accepts, and how an error names argument and rule. */
+    private record Door(String method, String argument, String rule, DoublePredicate accepts, Call call) {
+        @Override
+        public String toString() {
+            return method + " " + argument;
+        }
+    }
+
+    private static final DoublePredicate FINITE = Double::isFinite;
+    private static final DoublePredicate TIME = t -> t >= 0 && t <= 1e9;
+    private static final DoublePredicate PUSH = f -> Math.abs(f) <= 1e50;
+    private static final DoublePredicate MASS = m -> m >= 1e-50 && m <= 1e50;
+
+    private static List<Door> doors() {
+        List<Door> doors = new ArrayList<>(List.of(
+                new Door("new Unit", "mass", "> 0", MASS, (w, u, v) -> w.add(new Unit(v))),
+                new Door("setMass", "mass", "> 0", MASS, (w, u, v) -> u.setMass(v)),
+                new Door("setPosition", "x", "finite", FINITE, (w, u, v) -> u.setPosition(v, 1)),
+                new Door("setPosition", "y", "finite", FINITE, (w, u, v) -> u.setPosition(1, v)),
+                new Door("setVelocity", "vx", "finite", FINITE, (w, u, v) -> u.setVelocity(v, 1)),
+                new Door("setVelocity", "vy", "finite", FINITE, (w, u, v) -> u.setVelocity(1, v)),
+                new Door("setFriction", "friction", ">= 0", f -> f >= 0 && f <= 1e50, (w, u, v) -> u.setFriction(v)),
+                new Door("setMaxSpeed", "maxSpeed", ">= 0", s -> s >= 0, (w, u, v) -> u.setMaxSpeed(v)),
+                new Door("applyForce", "fx", "finite", PUSH, (w, u, v) -> u.applyForce(v, 1)),
+                new Door("applyForce", "fy", "finite", PUSH, (w, u, v) -> u.applyForce(1, v)),
+                new Door("applyImpulse", "jx", "finite", PUSH, (w, u, v) -> u.applyImpulse(v, 1)),
+                new Door("applyImpulse", "jy", "finite", PUSH, (w, u, v) -> u.applyImpulse(1, v)),
+                new Door("integrate", "dt", ">= 0", TIME, (w, u, v) -> u.integrate(v)),
+                new Door("step", "dt", ">= 0", TIME, (w, u, v) -> w.step(v)),
+                new Door("advance", "elapsed", ">= 0", TIME, (w, u, v) -> w.advance(v)),
+                new Door("Timestep.variable", "maxStep", "from 1.0E-6", s -> s >= 1e-6 && s <= 1e9, (w, u, v) -> {
+                    World other =
+                            new World(Integrator.EXACT, Timestep.variable(v).withMaxSteps(3));
+                    other.add(new Unit(1)).applyForce(1, 1);
+                    other.advance(1);
+                    assertTrue(Double.isFinite(other.get(0).getX()));
+                })));
+        for (Integrator how : Integrator.values()) {
+            doors.add(new Door("integrate " + how, "dt", ">= 0", TIME, (w, u, v) -> u.integrate(v, how)));
+        }
+        return doors;
+    }
+
+    static Stream<Arguments> everyDoorAndValue() {
+        return doors().stream().flatMap(door -> Arrays.stream(VALUES).mapToObj(v -> Arguments.of(door, v)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("everyDoorAndValue")
+    void isAcceptedAndHarmlessOrRefusedAndNothingIsChanged(Door door, double value) {
+        for (Integrator how : Integrator.values()) {
+            for (Timestep timestep : List.of(Timestep.fixed(64), Timestep.variable(0.01))) {
+                World world = new World(how, timestep);
+                Unit unit = world.add(new Unit(2).setFriction(3).setMaxSpeed(50).setVelocity(4, -5));
+                unit.applyForce(1, 2);
+                world.advance(0.1);
+                unit.applyForce(6, 7);
+                if (door.accepts.test(value)) {
+                    door.call.on(world, unit, value);
+                    assertSound(world);
+                } else {
+                    List<Object> before = state(world);
+                    IllegalArgumentException e =
+                            assertThrows(IllegalArgumentException.class, () -> door.call.on(world, unit, value));
+                    assertTrue(e.getMessage().startsWith(door.argument + " must be "), e.getMessage());
+                    assertTrue(e.getMessage().contains(door.rule), e.getMessage());
+                    assertTrue(e.getMessage().endsWith(", was " + value), e.getMessage());
+                    assertEquals(before, state(world));
+                }
+            }
+        }
+    }
+
+    @Test
+    void countsOutOfRangeAreRefused() {
+        for (int bad : new int[] {0, -1, Integer.MIN_VALUE, 1_000_001, Integer.MAX_VALUE}) {
+            String message = assertThrows(IllegalArgumentException.class, () -> Timestep.fixed(bad))
+                    .getMessage();
+            assertTrue(message.contains("stepsPerSecond must be from 1 to 1000000"), message);
+            assertTrue(message.endsWith("was " + bad), message);
+        }
+        for (int bad : new int[] {0, -1, Integer.MIN_VALUE}) {
+            String message = assertThrows(
+                            IllegalArgumentException.class,
+                            () -> Timestep.fixed(1).withMaxSteps(bad))
+                    .getMessage();
+            assertEquals("maxSteps must be >= 1, was " + bad, message);
+        }
+        for (int good : new int[] {1, 1_000_000}) Timestep.fixed(good).withMaxSteps(Integer.MAX_VALUE);
+    }
+
+    @Test
+    void nullIsRefusedByName() {
+        Unit unit = new Unit(1);
+        assertEquals(
+                "how must not be null",
+                assertThrows(NullPointerException.class, () -> unit.integrate(1, null))
+                        .getMessage());
+        assertEquals(
+                "how must not be null",
+                assertThrows(NullPointerException.class, () -> new World(null, Timestep.fixed(1)))
+                        .getMessage());
+        assertEquals(
+                "timestep must not be null",
+                assertThrows(NullPointerException.class, () -> new World(Integrator.EULER, null))
+                        .getMessage());
+        assertEquals(
+                "unit must not be null",
+                assertThrows(NullPointerException.class, () -> new World().add(null))
+                        .getMessage());
+    }
+
+    @Test
+    void negativeZeroIsZero() {
+        Unit unit = new Unit(1).setPosition(-0.0, -0.0).setVelocity(-0.0, -0.0).setFriction(-0.0);
+        unit.applyForce(-0.0, -0.0);
+        unit.setMaxSpeed(-0.0);
+        for (double v : new double[] {
+            unit.getX(),
+            unit.getY(),
+            unit.getVx(),
+            unit.getVy(),
+            unit.getFx(),
+            unit.getFy(),
+            unit.getFriction(),
+            unit.getMaxSpeed()
+        }) {
+            assertEquals(0.0, v);
+        }
+    }
+
+    /** Goes on for a while, with pushes, and finds every number finite. */
+    private static void assertSound(World world) {
+        for (int i = 0; i < 50; i++) {
+            for (Unit unit : world) unit.applyForce(-3, 1e50);
+            world.advance(0.01);
+            world.step(0.02);
+            for (Unit unit : world) {
+                unit.integrate(0.01, Integrator.EXACT);
+                unit.applyImpulse(1e50, -1e50);
+                for (double v : new double[] {
+                    unit.getX(),
+                    unit.getY(),
+                    unit.getVx(),
+                    unit.getVy(),
+                    unit.getSpeed(),
+                    unit.getFx(),
+                    unit.getFy(),
+                    unit.getInterpolatedX(),
+                    unit.getInterpolatedY()
+                }) {
+                    assertTrue(Double.isFinite(v), unit.toString());
+                }
+                assertTrue(unit.getSpeed() <= unit.getMaxSpeed(), unit.toString());
+            }
+        }
+        float[] xy = new float[2 * world.size()];
+        world.copyPositions(xy, 0);
+        for (float v : xy) assertTrue(Float.isFinite(v));
+        assertTrue(Double.isFinite(world.getTime()) && Double.isFinite(world.getDroppedTime()));
+    }
+
+    /** Everything there is to know of a world: all columns, public or not, and the clock. */
+    private static List<Object> state(World world) {
+        try {
+            List<Object> state = new ArrayList<>(
+                    List.of(world.size(), world.getTick(), world.getTime(), world.getDroppedTime(), world.getAlpha()));
+            Columns columns = world.get(0).columns;
+            for (Field field : Columns.class.getDeclaredFields()) {
+                field.setAccessible(true);
+                if (field.getType() == double[].class) state.add(Arrays.toString((double[]) field.get(columns)));
+                else if (field.getName().equals("dt") || field.getName().equals("how"))
+                    state.add(String.valueOf(field.get(columns)));
+            }
+            return state;
+        } catch (IllegalAccessException e) {
+            throw new AssertionError(e);
+        }
+    }
+}
