@@ -1,6 +1,6 @@
 package yarts.physics;
 
-/** The doors of the library: what is accepted, and what is said of the rest. Comparisons are written so that NaN fails. */
+/** The doors of the library: what is accepted, and what is said of the rest. Every comparison fails for NaN. */
 final class Check {
     /** Longest dt and elapsed; in seconds (32 years). */
     static final double MAX_TIME = 1e9;
@@ -9,7 +9,8 @@ final class Check {
     static final double MIN_MASS = 1e-50;
 
     /**
-     * Largest force and impulse component, friction and mass; in SI measures. The limits are such that 2^63 calls of applyForce, stepped by MAX_TIME, leave a velocity whose square does not overflow.
+     * Largest force and impulse component, friction and mass; in SI measures. The limits are such that 2^63 calls of
+     * applyForce, stepped by MAX_TIME, leave a velocity whose square does not overflow.
      */
     static final double MAX = 1e50;
 

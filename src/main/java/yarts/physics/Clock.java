@@ -3,8 +3,9 @@ package yarts.physics;
 /**
  * Where a world stands in time.
  *
- * <p>Fixed steps are counted, never summed: elapsed time is rounded to whole nanoseconds, and (nanoseconds · rate) / 1e9 is
- * done in integers. Time that is not a whole number of fixed steps is summed with the rounding error carried along.
+ * <p>Fixed steps are counted, never summed: elapsed time is rounded to whole nanoseconds, and (nanoseconds · rate) /
+ * 1e9 is done in integers. Time that is not a whole number of fixed steps is summed with the rounding error carried
+ * along.
  */
 final class Clock {
     private static final long SECOND = 1_000_000_000; // ns
@@ -26,7 +27,7 @@ final class Clock {
         this.timestep = timestep;
     }
 
-    /** Takes in elapsed time, rounded to nanoseconds; returns the whole steps due, and keeps the remainder. Fixed steps only. */
+    /** Takes in elapsed time, rounded to nanoseconds; returns the whole fixed steps due, and keeps the remainder. */
     long stepsDue(double elapsed) {
         long ns = (long) (elapsed * SECOND + 0.5);
         long part = ns % SECOND * timestep.rate + remainder; // below 1e15 + 1e9

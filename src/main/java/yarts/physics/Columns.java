@@ -3,10 +3,11 @@ package yarts.physics;
 import java.util.Arrays;
 
 /**
- * A table of units: a row a unit, an array a quantity. Worlds have one table for all their units; a unit outside a world has
- * a table of one row.
+ * A table of units: a row a unit, an array a quantity. Worlds have one table for all their units; a unit outside a
+ * world has a table of one row.
  *
- * <p>Whenever {@link #how} is set, the coefficients of every row in use are those of (mass, friction, {@link #dt}, how).
+ * <p>Whenever {@link #how} is set, the coefficients of every row in use are those of (mass, friction, {@link #dt},
+ * how).
  */
 final class Columns {
     private static final int COUNT = 20;
@@ -25,7 +26,7 @@ final class Columns {
     double[] previousX, previousY;
 
     double[] mass, friction, maxSpeed;
-    /** The maxSpeed within [Kernel.NO_SPEED, Kernel.FASTEST]: never 0 nor infinite, so that the kernel needs no branch. */
+    /** The maxSpeed within [Kernel.NO_SPEED, Kernel.FASTEST]: never 0 nor infinite, to spare the kernel branches. */
     double[] cap;
     /** The coefficients of a step: decay(z), gain(z) dt/m and 1 − weight(z), as in {@link Integrator}. */
     double[] decay, gain, lag;
@@ -140,10 +141,10 @@ final class Columns {
     }
 
     /**
-     * A frame whose steps cover {@code covered} seconds. The remainder was {@code before} and is {@code after}, so the forces
-     * F of this frame acted for covered − before + after. Of their impulse F·after is for later; the rest, with what was
-     * carried, is spread evenly over the steps: (carry + F (covered − before)) / covered, written so that a constant force
-     * is passed on to the bit.
+     * A frame whose steps cover {@code covered} seconds. The remainder was {@code before} and is {@code after}, so the
+     * forces F of this frame acted for covered − before + after. Of their impulse F·after is for later; the rest, with
+     * what was carried, is spread evenly over the steps: (carry + F (covered − before)) / covered, written so that a
+     * constant force is passed on to the bit.
      */
     void spread(int n, double before, double after, double covered) {
         spread(carryX, frameX, fx, n, before, after, covered);

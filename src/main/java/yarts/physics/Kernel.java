@@ -13,8 +13,8 @@ import java.util.Arrays;
  * }</pre>
  *
  * <p>HotSpot vectorises a loop when it is short, works on few arrays and has no branch. So a step is a series of such
- * passes, over blocks of rows small enough to stay in the first-level cache from pass to pass. Only + − * /, sqrt, abs, min
- * and max are used, and StrictMath: the same bits on every JVM.
+ * passes, over blocks of rows small enough to stay in the first-level cache from pass to pass. Only + − * /, sqrt, abs,
+ * min and max are used, and StrictMath: the same bits on every JVM.
  */
 final class Kernel {
     /** Rows in a block; 11 arrays of 256 doubles are 22 KB of a cache of 32 KB. */
@@ -23,10 +23,10 @@ final class Kernel {
     /** No unit is faster; in m/s. Its square, and that of what a step can add to it, do not overflow. */
     static final double FASTEST = 0x1p500;
 
-    /** Velocity components below this are rest; in m/s. Its square is still a normal number, so |v'| is exact down to it. */
+    /** Velocity components below this are rest; in m/s. Its square is still a normal number. */
     static final double REST = 0x1p-500;
 
-    /** The cap of a unit whose maxSpeed is 0; in m/s. Far enough below REST for {@link #rest} to make it 0 in one go. */
+    /** The cap of a unit whose maxSpeed is 0; in m/s. So far below REST that {@link #rest} makes it 0 in one go. */
     static final double NO_SPEED = 0x1p-900;
 
     private Kernel() {}
@@ -79,8 +79,8 @@ final class Kernel {
     /**
      * The speed cap, and rest. The velocities' components must be below 2^510.
      *
-     * <p>A speed above the cap c becomes c less 8 to 16 rounding errors, more than the arithmetic makes: no unit is ever over
-     * its cap, and one exactly at it stays so.
+     * <p>A speed above the cap c becomes c less 8 to 16 rounding errors, more than the arithmetic makes: no unit is
+     * ever over its cap, and one exactly at it stays so.
      */
     static void cap(double[] vx, double[] vy, double[] cap, int from, int to) {
         for (int i = from; i < to; i++) {
@@ -94,9 +94,9 @@ final class Kernel {
     }
 
     /**
-     * v, or less where v is below REST: there it is multiplied by v/REST, which takes it to 0 within a few steps, however
-     * slowly it decays, and without a branch. Arithmetic on the subnormal numbers in which it would end otherwise is tens
-     * of times slower, and rounds 0.9 v to v. Never −0.0.
+     * v, or less where v is below REST: there it is multiplied by v/REST, which takes it to 0 within a few steps,
+     * however slowly it decays, and without a branch. Arithmetic on the subnormal numbers in which it would end
+     * otherwise is tens of times slower, and rounds 0.9 v to v. Never −0.0.
      */
     private static double rest(double v) {
         return v * Math.min(1, Math.abs(v) * (1 / REST)) + 0.0;
@@ -138,8 +138,9 @@ final class Kernel {
     private static final double NO_DECAY = 700;
 
     /**
-     * 1 − weight(z) = 1/z − 1/(e^z − 1): 1/2 at 0, and close to 1/z for large z. Below 1, where the difference would cancel,
-     * its series 1/2 − Σ B(2k) z^(2k−1) / (2k)!, with the Bernoulli numbers B; the terms left out come to less than 6e-18.
+     * 1 − weight(z) = 1/z − 1/(e^z − 1): 1/2 at 0, and close to 1/z for large z. Below 1, where the difference would
+     * cancel, its series 1/2 − Σ B(2k) z^(2k−1) / (2k)!, with the Bernoulli numbers B; the terms left out come to less
+     * than 6e-18.
      */
     static double lag(double z) {
         if (z >= 1) return 1 / z - 1 / StrictMath.expm1(z);

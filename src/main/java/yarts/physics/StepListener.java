@@ -1,11 +1,11 @@
 package yarts.physics;
 
 /**
- * Is called before each step of a {@link World}: the place for forces that the game works out anew for every step, such as
- * steering or springs.
+ * Is called before each step of a {@link World}: the place for forces that the game works out anew for every step, such
+ * as steering or springs.
  *
- * <p>A force applied here acts for this one step. Units may be added and removed here; stepping the world from here is an
- * {@link IllegalStateException}.
+ * <p>A force applied here acts for this one step. Units may be added and removed here; stepping the world from here is
+ * an {@link IllegalStateException}.
  */
 @FunctionalInterface
 public interface StepListener {

@@ -26,8 +26,8 @@ public final class Timestep {
     }
 
     /**
-     * Steps of equal length. A frame's time that does not fill a step waits for the next frame. Time is counted in whole
-     * nanoseconds against the rate, so that no step is lost however long the game runs.
+     * Steps of equal length. A frame's time that does not fill a step waits for the next frame. Time is counted in
+     * whole nanoseconds against the rate, so that no step is lost however long the game runs.
      *
      * @param stepsPerSecond the rate, from 1 to 1,000,000
      * @return a policy that catches up by at most a quarter of a second at a time

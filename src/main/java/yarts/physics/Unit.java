@@ -9,11 +9,11 @@ package yarts.physics;
  * tank.integrate(1 / 60.0);
  * }</pre>
  *
- * <p>A unit works alone, as above, or in a {@link World}, which steps all of its units together. Extend it to add what the
- * game needs ({@code class Tank extends Unit}); the physics cannot be overridden.
+ * <p>A unit works alone, as above, or in a {@link World}, which steps all of its units together. Extend it to add what
+ * the game needs ({@code class Tank extends Unit}); the physics cannot be overridden.
  *
- * <p>SI measures throughout: metres, seconds, kilograms, newtons. The accepted range is in the package description; a call
- * that is refused changes nothing. Not safe for use by several threads at once.
+ * <p>SI measures throughout: metres, seconds, kilograms, newtons. The accepted range is in the package description; a
+ * call that is refused changes nothing. Not safe for use by several threads at once.
  */
 public class Unit {
     /** The table that holds this unit's state, and the row. */
@@ -193,9 +193,9 @@ public class Unit {
     }
 
     /**
-     * Adds a force, which acts for the time by which the unit is advanced next: the dt of {@link #integrate(double)} and
-     * {@link World#step}, the elapsed time of {@link World#advance}, or the one step that is about to run if called from a
-     * {@link StepListener}. Forces add up until then.
+     * Adds a force, which acts for the time by which the unit is advanced next: the dt of {@link #integrate(double)}
+     * and {@link World#step}, the elapsed time of {@link World#advance}, or the one step that is about to run if called
+     * from a {@link StepListener}. Forces add up until then.
      *
      * @param fx in N, at most 1e50 in magnitude
      * @param fy in N, at most 1e50 in magnitude

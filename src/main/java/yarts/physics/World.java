@@ -19,13 +19,13 @@ import java.util.RandomAccess;
  * world.copyPositions(buffer, 0);
  * }</pre>
  *
- * <p><b>Order.</b> Units are numbered 0 to size − 1, in the order in which they were added. Removing one gives its number to
- * the last. While iterating, remove through the iterator, which visits every other unit all the same; adding or removing in
- * any other way makes the iterator throw {@link java.util.ConcurrentModificationException}.
+ * <p><b>Order.</b> Units are numbered 0 to size − 1, in the order in which they were added. Removing one gives its
+ * number to the last. While iterating, remove through the iterator, which visits every other unit all the same; adding
+ * or removing in any other way makes the iterator throw {@link java.util.ConcurrentModificationException}.
  *
- * <p>Units do not act on one another, and every unit moves exactly as it would alone: the same bits as {@link
- * Unit#integrate(double, Integrator)}. Once it has grown to its size, a world creates no garbage. Not safe for use by several
- * threads at once.
+ * <p>Units do not act on one another, and every unit moves exactly as it would alone: the same bits as
+ * {@link Unit#integrate(double, Integrator)}. Once it has grown to its size, a world creates no garbage. Not safe for
+ * use by several threads at once.
  */
 public final class World implements Iterable<Unit> {
     private final Integrator how;
@@ -147,10 +147,10 @@ public final class World implements Iterable<Unit> {
     /**
      * Advances by a frame's time, in steps as the {@link Timestep} says.
      *
-     * <p>Forces applied before it act for the elapsed time: their impulse F·elapsed is spread evenly over the steps that the
-     * time turns into, and what falls in a remainder that no step has covered yet waits for the next advance, with the
-     * remainder. So a push applied once a frame moves a unit alike at any frame rate. Time beyond the limit of {@link
-     * Timestep#withMaxSteps} is dropped, and the forces' share of it too.
+     * <p>Forces applied before it act for the elapsed time: their impulse F·elapsed is spread evenly over the steps
+     * that the time turns into, and what falls in a remainder that no step has covered yet waits for the next advance,
+     * with the remainder. So a push applied once a frame moves a unit alike at any frame rate. Time beyond the limit of
+     * {@link Timestep#withMaxSteps} is dropped, and the forces' share of it too.
      *
      * @param elapsed in seconds, from 0 to 1e9; rounded to nanoseconds if steps are fixed
      * @return how many steps were run
@@ -225,7 +225,7 @@ public final class World implements Iterable<Unit> {
         stepping = true;
     }
 
-    /** {@return how far time is on its way from the last fixed step to the next: at least 0, and below 1 even as a float} */
+    /** {@return how far time is on its way from one fixed step to the next: at least 0, and below 1 even as a float} */
     public double getAlpha() {
         return clock.alpha();
     }

@@ -15,11 +15,11 @@
  *
  * <p><b>Range.</b> Every argument must be finite (only a top speed may be infinite). Masses lie in [1e-50, 1e50] kg;
  * friction is at most 1e50 N·s/m, the components of forces and impulses at most 1e50 N and N·s, times at most 1e9 s.
- * Within that range no number of steps leads to NaN or infinity: no unit goes faster than 2<sup>500</sup> (3.3e150) m/s,
- * and a velocity component below 2<sup>-500</sup> (3.1e-151) m/s is rest, and becomes exactly 0. What is out of range is
- * refused with an {@link IllegalArgumentException} that names the value and the rule, and changes nothing.
+ * Within that range no number of steps leads to NaN or infinity: no unit goes faster than 2<sup>500</sup> (3.3e150)
+ * m/s, and a velocity component below 2<sup>-500</sup> (3.1e-151) m/s is rest, and becomes exactly 0. What is out of
+ * range is refused with an {@link IllegalArgumentException} that names the value and the rule, and changes nothing.
  *
- * <p><b>Threads.</b> Nothing here is safe for use by several threads at once: a world and its units belong to one thread
- * at a time.
+ * <p><b>Threads.</b> Nothing here is safe for use by several threads at once: a world and its units belong to one
+ * thread at a time.
  */
 package yarts.physics;

@@ -1,9 +1,10 @@
 package yarts.physics;
 
 /**
- * The unit of "Y*A*R*T*S (Yet Another Real Time Strategy game)" before its cure: the rules of the physics chapter in the
- * order it gives them, in our own code. Friction is one more force, −f·v, worked out from the velocity at the start of the
- * step. That is the jitters: over a step with f·dt/m > 1 it is larger than what would stop the unit, and turns it round.
+ * The unit of "Y*A*R*T*S (Yet Another Real Time Strategy game)" before its cure: the rules of the physics chapter in
+ * the order it gives them, in our own code. Friction is one more force, −f·v, worked out from the velocity at the start
+ * of the step. That is the jitters: over a step with f·dt/m > 1 it is larger than what would stop the unit, and turns
+ * it round.
  */
 public final class ArticleUnit {
     public double x, y, vx, vy, fx, fy;
@@ -20,7 +21,7 @@ public final class ArticleUnit {
         this.fy += fy;
     }
 
-    /** The first rule: the position moves by the velocity the step starts with, and then the force changes the velocity. */
+    /** The first rule: the position moves by the velocity the step starts with, then the force changes the velocity. */
     public void integrate(double dt) {
         x += vx * dt;
         y += vy * dt;

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Every argument of every method: accepted and harmless, or refused with the value and the rule, and nothing changed. */
+/** Every argument of every method: accepted and harmless, or refused with value and rule, and nothing changed. */
 class DoorsTest {
     private static final double[] VALUES = {
         Double.NaN,

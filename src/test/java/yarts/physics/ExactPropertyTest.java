@@ -39,8 +39,8 @@ class ExactPropertyTest {
     }
 
     /**
-     * With z rounded, its error dz comes back as a factor e^−dz, which is dz/z·z: at z = 100 the last two digits of e^−z are
-     * lost in z already.
+     * With z rounded, its error dz comes back as a factor e^−dz, which is dz/z·z: at z = 100 the last two digits of
+     * e^−z are lost in z already.
      */
     @Property(tries = 2000)
     void withAnyMassAndDtTheRoundingOfZAddsNoMoreThanZUlp(

@@ -9,8 +9,8 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 
 /**
- * The jitter bug, reproduced on {@link ArticleUnit}: what z = f·dt/m does to a unit whose friction is one more force. Every
- * property then puts the same unit through the library, which shows none of it.
+ * The jitter bug, reproduced on {@link ArticleUnit}: what z = f·dt/m does to a unit whose friction is one more force.
+ * Every property then puts the same unit through the library, which shows none of it.
  */
 class JittersPropertyTest {
     /** A million miles an hour; in m/s. */

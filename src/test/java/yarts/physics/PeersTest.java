@@ -16,8 +16,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * The same unit in the engines that Java games use: m = 1 kg, pushed by F = 10 N, damped by f = 10 N·s/m, so that F/f is 1
- * m/s. They damp after they add the force: a terminal speed that depends on the tick rate, and 0 from z = 1 on.
+ * The same unit in the engines that Java games use: m = 1 kg, pushed by F = 10 N, damped by f = 10 N·s/m, so that F/f
+ * is 1 m/s. They damp after they add the force: a terminal speed that depends on the tick rate, and 0 from z = 1 on.
  */
 class PeersTest {
     private static final double FORCE = 10;

@@ -11,8 +11,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Every claim and every number of the source's physics chapter, by name. The rule as it stands there is {@link ArticleUnit};
- * the numbers are its own: v = 10 m/s, f = 10 N·s/m, m = 1 kg.
+ * Every claim and every number of the source's physics chapter, by name. The rule as it stands there is
+ * {@link ArticleUnit}; the numbers are its own: v = 10 m/s, f = 10 N·s/m, m = 1 kg.
  */
 class SourceTest {
     /** A million miles an hour; in m/s. */

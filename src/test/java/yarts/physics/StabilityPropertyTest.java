@@ -9,7 +9,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 
-/** What friction does in the library, whatever is asked of it: every mass, friction, force, velocity and dt accepted. */
+/** What friction does in the library, whatever is asked: every mass, friction, force, velocity and dt accepted. */
 class StabilityPropertyTest {
     @Provide
     Arbitrary<Double> masses() {
@@ -130,8 +130,8 @@ class StabilityPropertyTest {
     }
 
     /**
-     * To 1e-12, or to what a 64-bit velocity allows: near F/f a step changes v by z(F/f − v), which is lost in rounding as
-     * soon as it is less than half an ulp of v.
+     * To 1e-12, or to what a 64-bit velocity allows: near F/f a step changes v by z(F/f − v), which is lost in rounding
+     * as soon as it is less than half an ulp of v.
      */
     @Property(tries = 100)
     void terminalSpeedIsForceOverFrictionAtEveryStiffness(
