@@ -6,8 +6,8 @@ import net.jqwik.api.RandomDistribution;
 import net.jqwik.api.Tuple;
 
 /**
- * Doubles for properties. They are drawn as bit patterns: those of positive doubles rise with the value, an equal number of
- * them from each power of two to the next, so that a uniform pattern is a value uniform in its logarithm.
+ * Doubles for properties. They are drawn as bit patterns: those of positive doubles rise with the value, an equal
+ * number of them from each power of two to the next, so that a uniform pattern is a value uniform in its logarithm.
  */
 final class Doubles {
     private Doubles() {}
@@ -15,8 +15,7 @@ final class Doubles {
     /** Any bit pattern: every magnitude, both signs, and more often than by chance zeros, infinities, NaN and limits. */
     static Arbitrary<Double> any() {
         return Arbitraries.frequencyOf(
-                Tuple.of(9, patterns(Long.MIN_VALUE, Long.MAX_VALUE, 0)),
-                Tuple.of(1, special()));
+                Tuple.of(9, patterns(Long.MIN_VALUE, Long.MAX_VALUE, 0)), Tuple.of(1, special()));
     }
 
     /** Any finite double: every magnitude, −0.0 and the subnormal ones included. */
@@ -34,9 +33,7 @@ final class Doubles {
     static Arbitrary<Double> signedLogUniform(double min, double max) {
         Arbitrary<Double> positive = logUniform(min, max);
         return Arbitraries.frequencyOf(
-                Tuple.of(8, positive),
-                Tuple.of(8, positive.map(v -> -v)),
-                Tuple.of(1, Arbitraries.of(0.0, -0.0)));
+                Tuple.of(8, positive), Tuple.of(8, positive.map(v -> -v)), Tuple.of(1, Arbitraries.of(0.0, -0.0)));
     }
 
     private static Arbitrary<Double> patterns(long from, long to, long target) {

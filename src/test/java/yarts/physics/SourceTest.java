@@ -87,8 +87,8 @@ class SourceTest {
         assertEquals(3, unit.getVx(), "at the cap, nothing changes");
         assertEquals(4, unit.getVy());
         unit.setVelocity(30, 40);
-        assertEquals(3, unit.getVx(), 1e-15);
-        assertEquals(4, unit.getVy(), 1e-15);
+        assertEquals(3, unit.getVx(), 1e-14);
+        assertEquals(4, unit.getVy(), 1e-14);
     }
 
     @Test
