@@ -29,6 +29,9 @@ final class Kernel {
     /** The cap of a unit whose maxSpeed is 0; in m/s. So far below REST that {@link #rest} makes it 0 in one go. */
     static final double NO_SPEED = 0x1p-900;
 
+    /** Swallows what is less than 2^-653, and alters nothing that is not far below REST. */
+    private static final double GRAIN = 0x1p-600;
+
     private Kernel() {}
 
     static void step(Columns c, int from, int to, double dt, Integrator how) {
@@ -94,12 +97,12 @@ final class Kernel {
     }
 
     /**
-     * v, or less where v is below REST: there it is multiplied by v/REST, which takes it to 0 within a few steps,
-     * however slowly it decays, and without a branch. Arithmetic on the subnormal numbers in which it would end
-     * otherwise is tens of times slower, and rounds 0.9 v to v. Never −0.0.
+     * v, or less where v is below REST: there it is multiplied by v/REST, which takes it to 0 within a few steps, however
+     * slowly it decays, and without a branch. What GRAIN swallows is 0 at once, and never −0.0. Arithmetic on the
+     * subnormal numbers in which v would end otherwise is tens of times slower, and rounds 0.9 v to v.
      */
     private static double rest(double v) {
-        return v * Math.min(1, Math.abs(v) * (1 / REST)) + 0.0;
+        return v * Math.min(1, Math.abs(v) * (1 / REST)) + GRAIN - GRAIN;
     }
 
     static void coefficients(Columns c, int from, int to, double dt, Integrator how) {
