@@ -1,0 +1,85 @@
+package game;
+
+import java.io.File;
+import yarts.physics.Unit;
+import yarts.physics.World;
+
+/** A game on the class path: a plain loop at several frame rates, with tanks of the game's own class. */
+public final class Game {
+    private static final double DT = 1 / 60.0; // s, the world's step
+
+    private Game() {}
+
+    public static void main(String[] args) {
+        require(!Unit.class.getModule().isNamed(), "the library is on the class path");
+        String[] classPath = System.getProperty("java.class.path").split(File.pathSeparator);
+        require(classPath.length == 2, "the library brings no other: " + String.join(", ", classPath));
+
+        double[] rates = {24, 59.94, 60, 144, 1000};
+        for (double rate : rates) race(rate);
+        alone();
+        brake();
+        System.out.println("class-path: the game and one jar; tanks drove as the closed form says at " + rates.length
+                + " frame rates and alone, kept to their top speed, and braked without turning round");
+    }
+
+    /** Ten seconds of full throttle, once a frame. The strongest engines reach the top speed. */
+    private static void race(double rate) {
+        World world = new World();
+        for (int i = 1; i <= 20; i++) world.add(new Tank(10_000 * i));
+        long frames = Math.round(10 * rate);
+        for (long frame = 0; frame < frames; frame++) {
+            for (Unit unit : world) ((Tank) unit).drive();
+            world.advance(1 / rate);
+        }
+        long ticks = world.getTick();
+        require(ticks == 599 || ticks == 600, "ten seconds are 600 ticks, the last perhaps due: " + ticks);
+        require(world.getDroppedTime() == 0, "no time is dropped");
+        for (Unit unit : world) compare((Tank) unit, ticks);
+    }
+
+    private static void alone() {
+        Tank tank = new Tank(60_000);
+        for (int tick = 0; tick < 600; tick++) {
+            tank.drive();
+            tank.integrate(DT);
+        }
+        compare(tank, 600);
+    }
+
+    /**
+     * n Euler steps from rest: v = F/f (1 − (1 − z)^n) with z = f dt/m, x = (F t − m v)/f; or the top speed, if F/f is
+     * more.
+     */
+    private static void compare(Tank tank, long n) {
+        double force = tank.getEngine(), f = tank.getFriction(), m = tank.getMass();
+        double terminal = force / f;
+        double v = terminal * (1 - Math.pow(1 - f * DT / m, n));
+        if (terminal <= tank.getMaxSpeed()) {
+            near(v, tank.getVx());
+            near((force * n * DT - m * v) / f, tank.getX());
+        } else {
+            near(Math.min(v, tank.getMaxSpeed()), tank.getVx());
+            require(tank.getX() < tank.getMaxSpeed() * n * DT, "it went no farther than its top speed allows");
+        }
+        require(tank.getY() == 0 && tank.getVy() == 0, "it drove straight on");
+    }
+
+    /** Friction that would take half as much again as the unit has (z = 1.5) stops it. */
+    private static void brake() {
+        Unit unit = new Unit(1).setFriction(90).setVelocity(10, 0);
+        unit.integrate(DT);
+        require(unit.getVx() == 0, "it stopped: " + unit);
+        unit.applyForce(900, 0);
+        unit.integrate(DT);
+        near(10, unit.getVx());
+    }
+
+    private static void near(double expected, double actual) {
+        require(Math.abs(actual - expected) <= 1e-9 * Math.abs(expected), "expected " + expected + ", was " + actual);
+    }
+
+    private static void require(boolean holds, String claim) {
+        if (!holds) throw new IllegalStateException(claim);
+    }
+}
