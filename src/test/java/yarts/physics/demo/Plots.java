@@ -1,0 +1,149 @@
+package yarts.physics.demo;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import org.knowm.xchart.AnnotationLine;
+import org.knowm.xchart.AnnotationText;
+import org.knowm.xchart.BitmapEncoder;
+import org.knowm.xchart.BitmapEncoder.BitmapFormat;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.Styler.LegendPosition;
+import org.knowm.xchart.style.XYStyler;
+import org.knowm.xchart.style.markers.Marker;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/** Draws what the rules do: over time, and at any tick rate. */
+public final class Plots {
+    // Okabe and Ito's colours, which the colour-blind tell apart too.
+    private static final Color VERMILION = new Color(0xD55E00);
+    private static final Color ORANGE = new Color(0xE69F00);
+    private static final Color BLUE = new Color(0x0072B2);
+    private static final Color GREEN = new Color(0x009E73);
+    private static final Color PURPLE = new Color(0xCC79A7);
+    private static final Color GREY = new Color(0x666666);
+
+    private static final double MASS = 1; // kg
+    private static final double FRICTION = 10; // N·s/m
+    private static final double SPEED = 10; // m/s, to start with or to end with
+    private static final double OFF_THE_CHART = 1000; // m/s
+
+    private Plots() {}
+
+    /** Velocity against time, past the naive rule's limits: on the left without a force, on the right under a push. */
+    public static void jitter(Path file) throws IOException {
+        List<XYChart> charts = List.of(
+                overTime("No push: it should come to rest, at 0 m/s", SPEED, 0, 0),
+                overTime("A steady push: it should reach F/f = 10 m/s", 0, FRICTION * SPEED, SPEED));
+        BitmapEncoder.saveBitmap(charts, 1, 2, file.toString(), BitmapFormat.PNG);
+    }
+
+    private static XYChart overTime(String title, double v, double force, double goal) {
+        XYChart chart = chart(620, 560, title, "time, s   (m = 1 kg, f = 10 N·s/m, z = f·dt/m)", "velocity, m/s");
+        chart.getStyler().setLegendPosition(LegendPosition.InsideNW);
+        chart.getStyler().setYAxisMin(goal - 25).setYAxisMax(goal + 40);
+        overTime(chart, "naive, z = 2.1", Rule.NAIVE, 0.21, v, force, ORANGE, SeriesMarkers.TRIANGLE_UP);
+        overTime(chart, "naive, z = 1.8", Rule.NAIVE, 0.18, v, force, VERMILION, SeriesMarkers.CIRCLE);
+        overTime(chart, "EULER, z = 1.8", Rule.EULER, 0.18, v, force, BLUE, SeriesMarkers.SQUARE);
+        overTime(chart, "MIDPOINT, z = 1.8", Rule.MIDPOINT, 0.18, v, force, GREEN, SeriesMarkers.DIAMOND);
+        overTime(chart, "EXACT, z = 1.8", Rule.EXACT, 0.18, v, force, Color.BLACK, SeriesMarkers.CROSS);
+        return chart;
+    }
+
+    private static void overTime(
+            XYChart chart, String name, Rule rule, double dt, double v, double force, Color colour, Marker marker) {
+        int steps = (int) (2 / dt);
+        double[] time = new double[steps + 1];
+        for (int i = 0; i <= steps; i++) time[i] = i * dt;
+        double[] velocity = rule.velocities(v, force, FRICTION, MASS, dt, steps);
+        style(chart.addSeries(name, time, velocity), colour, marker, 2);
+    }
+
+    /** Terminal speed against tick rate: the library's is F/f at any. */
+    public static void terminalSpeed(Path file) throws IOException {
+        String title = "Terminal speed under a steady push: F/f = 10 m/s, or is it?";
+        String x = "ticks a second   (F = 100 N, m = 1 kg, f = 10 N·s/m, z = f·dt/m)";
+        XYChart chart = chart(1000, 600, title, x, "speed after 60 s, m/s");
+        chart.getStyler().setLegendPosition(LegendPosition.InsideNE);
+        chart.getStyler().setXAxisLogarithmic(true).setXAxisMin(2.0).setXAxisMax(1000.0);
+        chart.getStyler().setYAxisMin(0.0).setYAxisMax(30.0);
+        curve(chart, "naive: v' = v + (F − f·v)·dt/m", Rule.NAIVE, VERMILION, 7);
+        curve(chart, "damp, then push: v' = v·max(0, 1 − z) + F·dt/m", Rule.DAMP_THEN_PUSH, ORANGE, 3);
+        curve(chart, "push, then damp: v' = (v + F·dt/m)·max(0, 1 − z)", Rule.PUSH_THEN_DAMP, PURPLE, 3);
+        points(chart, Rule.EULER, 0, BLUE, SeriesMarkers.SQUARE);
+        points(chart, Rule.MIDPOINT, 1, GREEN, SeriesMarkers.DIAMOND);
+        points(chart, Rule.EXACT, 2, Color.BLACK, SeriesMarkers.CROSS);
+        limit(chart, "z = 2", 5);
+        limit(chart, "z = 1", 10);
+        BitmapEncoder.saveBitmap(chart, file.toString(), BitmapFormat.PNG);
+    }
+
+    private static void curve(XYChart chart, String name, Rule rule, Color colour, float width) {
+        double[] rates = rates(0, 1, 271);
+        style(chart.addSeries(name, rates, speeds(rule, rates)), colour, SeriesMarkers.NONE, width);
+    }
+
+    /** Every third of the points is one integrator's, so that all can be seen. */
+    private static void points(XYChart chart, Rule rule, int first, Color colour, Marker marker) {
+        double[] rates = rates(first, 3, 28);
+        style(chart.addSeries(rule.name(), rates, speeds(rule, rates)), colour, marker, 2);
+    }
+
+    /** Tick rates, of n that lie evenly on a logarithmic axis from 2 to 1,000. */
+    private static double[] rates(int first, int stride, int n) {
+        return IntStream.iterate(first, i -> i < n, i -> i + stride)
+                .mapToDouble(i -> 2 * Math.pow(500, i / (n - 1.0)))
+                .toArray();
+    }
+
+    private static double[] speeds(Rule rule, double[] rates) {
+        return DoubleStream.of(rates)
+                .map(rate -> {
+                    int steps = (int) (60 * rate);
+                    double[] v = rule.velocities(0, FRICTION * SPEED, FRICTION, MASS, 1 / rate, steps);
+                    return Math.min(OFF_THE_CHART, Math.abs(v[steps]));
+                })
+                .toArray();
+    }
+
+    private static void limit(XYChart chart, String name, double rate) {
+        chart.addAnnotation(new AnnotationLine(rate, true, false));
+        chart.addAnnotation(new AnnotationText(name, 1.2 * rate, 29, false));
+    }
+
+    private static void style(XYSeries series, Color colour, Marker marker, float width) {
+        series.setMarkerColor(colour).setMarker(marker).setLineColor(colour);
+        series.setLineStyle(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+    }
+
+    private static XYChart chart(int width, int height, String title, String x, String y) {
+        XYChart chart = new XYChart(width, height);
+        chart.setTitle(title);
+        chart.setXAxisTitle(x);
+        chart.setYAxisTitle(y);
+        XYStyler styler = chart.getStyler();
+        styler.setChartBackgroundColor(Color.WHITE)
+                .setPlotBorderVisible(false)
+                .setChartTitleBoxVisible(false)
+                .setChartTitleFont(font(Font.BOLD, 20))
+                .setChartTitlePadding(12)
+                .setChartPadding(12)
+                .setLegendFont(font(Font.PLAIN, 16))
+                .setLegendBorderColor(Color.LIGHT_GRAY)
+                .setAnnotationLineColor(GREY)
+                .setAnnotationTextFont(font(Font.PLAIN, 16))
+                .setMarkerSize(10);
+        styler.setAxisTitleFont(font(Font.PLAIN, 16)).setAxisTickLabelsFont(font(Font.PLAIN, 16));
+        return chart;
+    }
+
+    private static Font font(int style, int size) {
+        return new Font(Font.SANS_SERIF, style, size);
+    }
+}

@@ -1,0 +1,58 @@
+package yarts.physics.demo;
+
+import yarts.physics.ArticleUnit;
+import yarts.physics.Integrator;
+import yarts.physics.Unit;
+
+/**
+ * Ways to work out the velocity after a step, from m dv/dt = F − f v: three that games use, and the library's three. In all,
+ * z = f dt/m.
+ */
+public enum Rule {
+    /** Friction as one more force: v' = v + (F − f v) dt/m. */
+    NAIVE(Rule::naive),
+    /** Add the force, then damp: v' = (v + F dt/m) max(0, 1 − z). */
+    PUSH_THEN_DAMP((v, force, friction, mass, dt) -> (v + force * dt / mass) * Math.max(0, 1 - friction * dt / mass)),
+    /** Damp, then add the force: v' = v max(0, 1 − z) + F dt/m. */
+    DAMP_THEN_PUSH((v, force, friction, mass, dt) -> v * Math.max(0, 1 - friction * dt / mass) + force * dt / mass),
+
+    EULER(library(Integrator.EULER)),
+    MIDPOINT(library(Integrator.MIDPOINT)),
+    EXACT(library(Integrator.EXACT));
+
+    private interface Step {
+        double velocity(double v, double force, double friction, double mass, double dt);
+    }
+
+    private final Step step;
+
+    Rule(Step step) {
+        this.step = step;
+    }
+
+    private static double naive(double v, double force, double friction, double mass, double dt) {
+        ArticleUnit unit = new ArticleUnit(mass);
+        unit.friction = friction;
+        unit.vx = v;
+        unit.applyForce(force, 0);
+        unit.integrate(dt);
+        return unit.vx;
+    }
+
+    private static Step library(Integrator how) {
+        return (v, force, friction, mass, dt) -> {
+            Unit unit = new Unit(mass).setFriction(friction).setVelocity(v, 0);
+            unit.applyForce(force, 0);
+            unit.integrate(dt, how);
+            return unit.getVx();
+        };
+    }
+
+    /** The velocities at the start and after each of a number of steps. */
+    public double[] velocities(double v, double force, double friction, double mass, double dt, int steps) {
+        double[] all = new double[steps + 1];
+        all[0] = v;
+        for (int i = 1; i <= steps; i++) all[i] = step.velocity(all[i - 1], force, friction, mass, dt);
+        return all;
+    }
+}

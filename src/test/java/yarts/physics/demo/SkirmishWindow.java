@@ -1,0 +1,150 @@
+package yarts.physics.demo;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.Locale;
+import java.util.concurrent.CountDownLatch;
+import java.util.function.Supplier;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.JToggleButton;
+import javax.swing.JToolBar;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import yarts.physics.Integrator;
+import yarts.physics.Timestep;
+
+/**
+ * Plays a skirmish live: a frame's real time goes into {@code World.advance}, and interpolated positions come out, however
+ * few ticks a second there are.
+ */
+final class SkirmishWindow {
+    private static final Integer[] RATES = {15, 18, 20, 30, 60, 120};
+    private static final int FRAME_MILLIS = 15;
+
+    private final Supplier<Skirmish> games;
+    private final SkirmishPainter painter = new SkirmishPainter();
+    private final JComboBox<Integer> rate = new JComboBox<>(RATES);
+    private final JComboBox<Integrator> integrator = new JComboBox<>(Integrator.values());
+    private final JCheckBox naive = new JCheckBox("Naive friction");
+    private final JToggleButton pause = new JToggleButton("Pause");
+    private final JLabel status = new JLabel(" ");
+    private final JComponent field = new Field();
+    private final Timer timer = new Timer(FRAME_MILLIS, e -> frame());
+    private Skirmish game;
+    private long last;
+
+    private SkirmishWindow(Supplier<Skirmish> games) {
+        this.games = games;
+        rate.setSelectedItem(Skirmish.TICKS_PER_SECOND);
+        restart();
+    }
+
+    /** Opens the window, and returns when it is closed. */
+    static void show(Supplier<Skirmish> games) throws InterruptedException {
+        CountDownLatch closed = new CountDownLatch(1);
+        SwingUtilities.invokeLater(() -> new SkirmishWindow(games).open(closed));
+        closed.await();
+    }
+
+    private void open(CountDownLatch closed) {
+        JButton restart = new JButton("Restart");
+        restart.addActionListener(e -> restart());
+        rate.addActionListener(e -> apply());
+        integrator.addActionListener(e -> apply());
+        naive.addActionListener(e -> apply());
+
+        JToolBar bar = new JToolBar();
+        bar.setFloatable(false);
+        bar.add(pause);
+        bar.add(restart);
+        bar.addSeparator();
+        bar.add(new JLabel("Ticks a second "));
+        bar.add(rate);
+        bar.addSeparator();
+        bar.add(new JLabel("Integrator "));
+        bar.add(integrator);
+        bar.addSeparator();
+        bar.add(naive);
+        rate.setMaximumSize(rate.getPreferredSize());
+        integrator.setMaximumSize(integrator.getPreferredSize());
+        status.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 8));
+
+        JFrame frame = new JFrame("yarts-physics: a skirmish");
+        frame.add(bar, BorderLayout.NORTH);
+        frame.add(field, BorderLayout.CENTER);
+        frame.add(status, BorderLayout.SOUTH);
+        frame.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);
+        frame.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent e) {
+                timer.stop();
+                closed.countDown();
+            }
+        });
+        frame.pack();
+        frame.setMinimumSize(new Dimension(680, 560)); // so that all controls can be seen
+        frame.setLocationByPlatform(true);
+        frame.setVisible(true);
+        last = System.nanoTime();
+        timer.start();
+    }
+
+    private void restart() {
+        game = games.get();
+        apply();
+    }
+
+    /** Takes over what the controls say. */
+    private void apply() {
+        game.use(integrator.getItemAt(integrator.getSelectedIndex()), Timestep.fixed(ticksPerSecond()));
+        game.setNaiveFriction(naive.isSelected());
+    }
+
+    private void frame() {
+        long now = System.nanoTime();
+        if (!pause.isSelected()) game.world().advance((now - last) / 1e9);
+        last = now;
+        field.repaint();
+        double z = Tank.FRICTION / Tank.MASS / ticksPerSecond();
+        status.setText(String.format(
+                Locale.ROOT,
+                "z = f dt/m = %.2f: the last step turned round %,d of %,d tanks, by %sshoves and blasts",
+                z,
+                game.turned(),
+                game.tanks().length,
+                naive.isSelected() ? "friction, " : ""));
+    }
+
+    private int ticksPerSecond() {
+        return rate.getItemAt(rate.getSelectedIndex());
+    }
+
+    /** Swing draws it into a buffer of its own first: it does not flicker. */
+    private final class Field extends JComponent {
+        private static final long serialVersionUID = 1;
+
+        Field() {
+            setPreferredSize(new Dimension(960, 746));
+            setOpaque(true);
+        }
+
+        @Override
+        protected void paintComponent(Graphics g) {
+            Graphics2D g2 = (Graphics2D) g.create();
+            g2.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+            painter.paint(g2, getWidth(), getHeight(), game);
+            g2.dispose();
+        }
+    }
+}
