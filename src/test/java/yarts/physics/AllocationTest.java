@@ -1,0 +1,129 @@
+package yarts.physics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Once it is warm, nothing that a game does every frame creates garbage: the JVM counts the bytes of each thread. */
+class AllocationTest {
+    private static final int UNITS = 1000;
+    private static final int WARM_UP = 300;
+    private static final int BATCHES = 20;
+    private static final int REPEATS = 50;
+
+    private static ThreadMXBean threads;
+    private static volatile Object escape;
+
+    @BeforeAll
+    static void countersAreThere() {
+        assumeTrue(ManagementFactory.getThreadMXBean() instanceof ThreadMXBean, "this JVM counts no allocations");
+        threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        assumeTrue(threads.isThreadAllocatedMemorySupported(), "this JVM counts no allocations");
+        threads.setThreadAllocatedMemoryEnabled(true);
+    }
+
+    /** The fewest bytes of some batches: what the JVM itself may allocate now and then, in compiling, is not ours. */
+    private static long fewestBytes(Runnable work) {
+        for (int i = 0; i < WARM_UP; i++) work.run();
+        long id = Thread.currentThread().getId();
+        long fewest = Long.MAX_VALUE;
+        for (int batch = 0; batch < BATCHES; batch++) {
+            long before = threads.getThreadAllocatedBytes(id);
+            for (int i = 0; i < REPEATS; i++) work.run();
+            fewest = Math.min(fewest, threads.getThreadAllocatedBytes(id) - before);
+        }
+        return fewest;
+    }
+
+    private static World crowd(Integrator how, Timestep timestep) {
+        World world = new World(how, timestep);
+        for (int i = 1; i <= UNITS; i++)
+            world.add(new Unit(i).setFriction(i % 7).setMaxSpeed(i % 5 == 0 ? 1 : 100));
+        world.setStepListener((w, dt) -> w.get(0).applyForce(dt, 1));
+        return world;
+    }
+
+    @Test
+    void theCounterSeesASingleObject() {
+        long bytes = fewestBytes(() -> escape = new Object());
+        assertTrue(bytes >= 8 * REPEATS, () -> bytes + " bytes");
+        World world = crowd(Integrator.EULER, Timestep.fixed(60));
+        assertTrue(fewestBytes(() -> escape = world.iterator()) > 0);
+        assertTrue(fewestBytes(() -> world.add(world.remove(world.get(0)) ? new Unit(1) : null)) > 0);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void stepsOfAnyLengthAllocateNothing(Integrator how) {
+        World world = crowd(how, Timestep.fixed(60));
+        int[] i = {0};
+        assertEquals(0, fewestBytes(() -> world.step(1 / (60.0 + i[0]++ / 10 % 3))));
+        assertTrue(world.getTick() > 1000);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void fixedFramesAllocateNothing(Integrator how) {
+        World world = crowd(how, Timestep.fixed(60));
+        int[] i = {0};
+        assertEquals(0, fewestBytes(() -> frame(world, i[0]++ % 40 == 0 ? 0.5 : 0.004 * (i[0] % 7))));
+        assertTrue(world.getTick() > 1000 && world.getDroppedTime() > 0);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void variableFramesAllocateNothing(Integrator how) {
+        World world = crowd(how, Timestep.variable(0.01));
+        int[] i = {0};
+        assertEquals(0, fewestBytes(() -> frame(world, 0.004 * (i[0]++ % 7))));
+        assertTrue(world.getTick() > 1000);
+    }
+
+    /** As a game would: forces and orders to all units by their number, and a frame. */
+    private static void frame(World world, double elapsed) {
+        for (int i = 0; i < world.size(); i++) {
+            Unit unit = world.get(i);
+            unit.applyForce(10, -i);
+            if (i % 10 == 0) unit.applyImpulse(-1, 1);
+            if (i % 50 == 0) unit.setFriction(i % 3).setMass(1 + i % 4);
+            if (i % 100 == 0) unit.setPosition(i, -i).setVelocity(0, i).setMaxSpeed(i);
+        }
+        world.advance(elapsed);
+    }
+
+    @Test
+    void drawingAllocatesNothing() {
+        World world = crowd(Integrator.EULER, Timestep.fixed(60));
+        world.advance(0.02);
+        float[] buffer = new float[2 * UNITS];
+        double[] sum = {0};
+        assertEquals(0, fewestBytes(() -> {
+            world.copyPositions(buffer, 0);
+            for (int i = 0; i < world.size(); i++) {
+                Unit unit = world.units().get(i);
+                sum[0] += unit.getInterpolatedX() + unit.getInterpolatedY() + unit.getSpeed() + world.getAlpha();
+            }
+        }));
+        assertTrue(sum[0] > 0);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aUnitAloneAllocatesNothing(Integrator how) {
+        Unit unit = new Unit(2).setFriction(0.1).setMaxSpeed(50);
+        assertEquals(0, fewestBytes(() -> {
+            unit.applyForce(3, 4);
+            unit.integrate(0.01, how);
+            unit.integrate(0.02);
+            unit.clearForces();
+        }));
+        assertTrue(unit.getSpeed() > 1);
+    }
+}
