@@ -50,9 +50,14 @@ final class Clock {
         dropped.add(seconds);
     }
 
-    /** In seconds. */
-    double remainder() {
-        return timestep.isFixed() ? remainder / ((double) SECOND * timestep.rate) : 0;
+    /** In units of {@link #seconds}. */
+    long remainder() {
+        return remainder;
+    }
+
+    /** Of a fixed clock's time, such as its remainder or a difference of two. */
+    double seconds(long time) {
+        return time / ((double) SECOND * timestep.rate);
     }
 
     double alpha() {

@@ -1,16 +1,29 @@
 package yarts.physics;
 
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * A table of units: a row a unit, an array a quantity. Worlds have one table for all their units; a unit outside a
- * world has a table of one row.
+ * A table of units: a row a unit, an array a quantity. A world has one table for all its units. Units outside a world
+ * share small tables, {@link #NURSERY} rows each: making a unit takes a row and no arrays, and a table goes when the
+ * last of its units does. Rows share nothing but the flags, which are constant there, so threads do not disturb each
+ * other's units.
  *
  * <p>Whenever {@link #how} is set, the coefficients of every row in use are those of (mass, friction, {@link #dt},
  * how).
  */
 final class Columns {
-    private static final int COUNT = 20;
+    private static final int COUNT = 19;
+
+    private static final int NURSERY = 32;
+    private static final AtomicReference<Columns> nursery = new AtomicReference<>(new Columns(null, NURSERY));
+
+    /** Relative; twice the rounding errors that the speed cap and Unit.getSpeed make. */
+    private static final double MARGIN = 0x1p-49;
+
+    /** The cap where there is none. */
+    static final double TOP = Kernel.FASTEST * (1 - MARGIN);
 
     /** The world whose table this is, or null. */
     final World world;
@@ -26,12 +39,24 @@ final class Columns {
     double[] previousX, previousY;
 
     double[] mass, friction, maxSpeed;
-    /** The maxSpeed within [Kernel.NO_SPEED, Kernel.FASTEST]: never 0 nor infinite, to spare the kernel branches. */
+    /** The maxSpeed less {@link #MARGIN}, and never 0 nor infinite, to spare the kernel branches. */
     double[] cap;
     /** The coefficients of a step: decay(z), gain(z) dt/m and 1 − weight(z), as in {@link Integrator}. */
     double[] decay, gain, lag;
-    /** 1 − lag. */
-    double[] lead;
+
+    /** Whether any row may have a force for the next step; if not, fx and fy are 0 throughout. */
+    boolean forced;
+    /** Whether any row may have an impulse carried; if not, carryX and carryY are 0 throughout. */
+    private boolean carried;
+    /** Whether the frame in hand has forces; if not, frameX and frameY mean nothing. */
+    private boolean framed;
+    /** Whether any row may have a maxSpeed below rest. */
+    private boolean pinned;
+    /** For the kernel to work in. */
+    final double[] scratch;
+
+    /** How many rows of a nursery are taken. */
+    private final AtomicInteger taken = new AtomicInteger();
 
     private double[][] all;
     private Integrator how;
@@ -39,7 +64,23 @@ final class Columns {
 
     Columns(World world, int capacity) {
         this.world = world;
+        forced = carried = pinned = world == null;
+        scratch = world == null ? null : new double[Kernel.BLOCK];
         use(new double[COUNT][capacity]);
+    }
+
+    /** Gives a unit a row outside any world, all zero. */
+    static void adopt(Unit unit) {
+        while (true) {
+            Columns table = nursery.get();
+            int row = table.taken.getAndIncrement();
+            if (row < NURSERY) {
+                unit.columns = table;
+                unit.row = row;
+                return;
+            }
+            nursery.compareAndSet(table, new Columns(null, NURSERY));
+        }
     }
 
     private void use(double[][] a) {
@@ -64,7 +105,6 @@ final class Columns {
         decay = a[i++];
         gain = a[i++];
         lag = a[i++];
-        lead = a[i++];
     }
 
     int capacity() {
@@ -82,6 +122,8 @@ final class Columns {
         for (int k = 0; k < COUNT; k++) to.all[k][j] = all[k][i];
         if (to != this) {
             to.frameX[j] = to.frameY[j] = 0; // what a frame of another table gave its steps
+            to.forced |= to.fx[j] != 0 || to.fy[j] != 0;
+            to.carried |= to.carryX[j] != 0 || to.carryY[j] != 0;
             to.settle(j);
             to.update(j);
         }
@@ -97,9 +139,19 @@ final class Columns {
         fx[i] = fy[i] = frameX[i] = frameY[i] = carryX[i] = carryY[i] = 0;
     }
 
-    /** Follows a change of a row's mass or friction. */
+    /** Follows a change of a row's mass, friction or maxSpeed. */
     void update(int i) {
-        if (how != null) Kernel.coefficients(this, i, i + 1, dt, how);
+        cap[i] = Math.max(Kernel.REST, Math.min(maxSpeed[i] * (1 - MARGIN), TOP));
+        pinned |= maxSpeed[i] < Kernel.REST;
+        if (how != null) coefficients(i, i + 1, dt, how);
+    }
+
+    private void coefficients(int from, int to, double dt, Integrator how) {
+        Kernel.coefficients(this, from, to, dt, how);
+        if (!pinned) return;
+        for (int i = from; i < to; i++) {
+            if (maxSpeed[i] < Kernel.REST) decay[i] = gain[i] = 0; // nothing moves it
+        }
     }
 
     /** Steps every one of the first n rows. */
@@ -107,20 +159,17 @@ final class Columns {
         if (dt != this.dt || how != this.how) {
             this.dt = dt;
             this.how = how;
-            Kernel.coefficients(this, 0, n, dt, how);
+            coefficients(0, n, dt, how);
         }
         Kernel.step(this, 0, n, dt, how);
+        forced = false;
     }
 
     /** Steps row i alone, whatever step the table's coefficients are for. */
     void stepOne(int i, double dt, Integrator how) {
-        if (world == null) {
-            stepAll(1, dt, how);
-        } else {
-            Kernel.coefficients(this, i, i + 1, dt, how);
-            Kernel.step(this, i, i + 1, dt, how);
-            update(i);
-        }
+        coefficients(i, i + 1, dt, how);
+        Kernel.step(this, i, i + 1, dt, how);
+        update(i);
         settle(i);
     }
 
@@ -129,8 +178,11 @@ final class Columns {
      * impulse waits for the step that will cover that time.
      */
     void carry(int n, double elapsed) {
+        if (!forced) return;
         carry(carryX, fx, n, elapsed);
         carry(carryY, fy, n, elapsed);
+        forced = false;
+        carried = true;
     }
 
     private static void carry(double[] carry, double[] f, int n, double elapsed) {
@@ -147,8 +199,12 @@ final class Columns {
      * constant force is passed on to the bit.
      */
     void spread(int n, double before, double after, double covered) {
+        framed = forced || carried;
+        if (!framed) return;
         spread(carryX, frameX, fx, n, before, after, covered);
         spread(carryY, frameY, fy, n, before, after, covered);
+        carried = forced;
+        forced = true;
     }
 
     private static void spread(
@@ -163,13 +219,17 @@ final class Columns {
 
     /** The frame's forces, for its next step. */
     void repeatFrame(int n) {
+        if (!framed) return;
         System.arraycopy(frameX, 0, fx, 0, n);
         System.arraycopy(frameY, 0, fy, 0, n);
+        forced = true;
     }
 
     void dropStepForces(int n) {
+        if (!forced) return;
         Arrays.fill(fx, 0, n, 0);
         Arrays.fill(fy, 0, n, 0);
+        forced = false;
     }
 
     /** The positions from which to interpolate are the present ones. */

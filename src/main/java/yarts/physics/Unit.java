@@ -29,10 +29,10 @@ public class Unit {
      */
     public Unit(double mass) {
         Check.mass(mass);
-        columns = new Columns(null, 1);
-        columns.mass[0] = mass;
-        columns.maxSpeed[0] = Double.POSITIVE_INFINITY;
-        columns.cap[0] = Kernel.FASTEST;
+        Columns.adopt(this);
+        columns.mass[row] = mass;
+        columns.maxSpeed[row] = Double.POSITIVE_INFINITY;
+        columns.update(row);
     }
 
     /** {@return the x coordinate, in m} */
@@ -146,9 +146,12 @@ public class Unit {
     }
 
     private void cap() {
-        Kernel.cap(columns.vx, columns.vy, columns.cap, row, row + 1);
-        if (Math.abs(getVx()) < Kernel.REST) columns.vx[row] = 0; // not in a few steps, as the kernel does
-        if (Math.abs(getVy()) < Kernel.REST) columns.vy[row] = 0;
+        if (getSpeed() > Math.min(getMaxSpeed(), Columns.TOP)) {
+            Kernel.cap(columns.vx, columns.vy, columns.cap, row, row + 1);
+        }
+        boolean pinned = getMaxSpeed() < Kernel.REST;
+        if (pinned || Math.abs(getVx()) < Kernel.REST) columns.vx[row] = 0;
+        if (pinned || Math.abs(getVy()) < Kernel.REST) columns.vy[row] = 0;
     }
 
     /**
@@ -187,7 +190,7 @@ public class Unit {
     public final Unit setMaxSpeed(double maxSpeed) {
         maxSpeed = Check.maxSpeed(maxSpeed);
         columns.maxSpeed[row] = maxSpeed;
-        columns.cap[row] = Math.max(Kernel.NO_SPEED, Math.min(Kernel.FASTEST, maxSpeed));
+        columns.update(row);
         cap();
         return this;
     }
@@ -206,6 +209,7 @@ public class Unit {
         Check.push("fy", fy);
         columns.fx[row] += fx;
         columns.fy[row] += fy;
+        columns.forced = true;
     }
 
     /**

@@ -168,14 +168,14 @@ public final class World implements Iterable<Unit> {
     }
 
     private int advanceFixed(double elapsed) {
-        double before = clock.remainder();
+        long before = clock.remainder();
         long due = clock.stepsDue(elapsed);
-        double after = clock.remainder();
+        long after = clock.remainder();
         if (due == 0) {
-            columns.carry(size(), after - before);
+            columns.carry(size(), clock.seconds(after - before));
             return 0;
         }
-        columns.spread(size(), before, after, (double) due / timestep.rate);
+        columns.spread(size(), clock.seconds(before), clock.seconds(after), (double) due / timestep.rate);
         return run(due, timestep.maxStep);
     }
 
@@ -313,10 +313,9 @@ public final class World implements Iterable<Unit> {
         }
 
         private void release(Unit unit) {
-            Columns own = new Columns(null, 1);
-            columns.copyRow(unit.row, own, 0);
-            unit.columns = own;
-            unit.row = 0;
+            int row = unit.row;
+            Columns.adopt(unit);
+            columns.copyRow(row, unit.columns, unit.row);
         }
 
         private void place(Unit unit, Columns table, int row) {

@@ -12,6 +12,9 @@ import net.jqwik.api.Provide;
 
 /** The speed cap, at speeds from 1e-30 to the largest double. */
 class SpeedCapPropertyTest {
+    /** Of speeds, relatively: how far below its cap a unit may be that was cut to it. */
+    private static final double ROUNDING = 10 * Math.ulp(1.0);
+
     @Provide
     Arbitrary<Double> velocities() {
         return Arbitraries.oneOf(
@@ -118,19 +121,22 @@ class SpeedCapPropertyTest {
     }
 
     @Property
-    void aUnitExactlyAtItsCapStaysSoToTheBit(@ForAll Integrator how, @ForAll("velocities") double v) {
+    void aUnitSetToItsCapIsLeftSoAndAStepTakesRoundingErrorsOff(
+            @ForAll Integrator how, @ForAll("velocities") double v) {
         Unit unit = new Unit(1).setVelocity(v, 0);
         double cap = unit.getSpeed();
         unit.setMaxSpeed(cap);
-        unit.integrate(1, how);
         assertEquals(cap, unit.getSpeed());
+        for (int i = 0; i < 100; i++) unit.integrate(1, how);
+        assertTrue(
+                unit.getSpeed() <= cap && unit.getSpeed() >= cap * (1 - ROUNDING), () -> unit.getSpeed() + " " + cap);
     }
 
     private static void assertCut(Unit unit, double vx, double vy, double cap) {
         assertUnder(unit, cap);
-        // At its cap, if it was faster, to 16 rounding errors; as it was, if it was slower.
+        // At its cap, if it was faster, to a few rounding errors; as it was, if it was slower.
         BigDecimal was = squared(vx, vy);
-        BigDecimal least = was.min(big(Math.min(cap, Kernel.FASTEST)).pow(2)).multiply(big(1 - 20 * Math.ulp(1.0)));
+        BigDecimal least = was.min(big(Math.min(cap, Kernel.FASTEST)).pow(2)).multiply(big(1 - 2 * ROUNDING));
         assertTrue(squared(unit.getVx(), unit.getVy()).compareTo(least) >= 0, () -> unit + " with a cap of " + cap);
         // vx' : vy' = vx : vy, to what the two products round by (or to a component that is rest)
         BigDecimal left = big(unit.getVx()).multiply(big(vy));
