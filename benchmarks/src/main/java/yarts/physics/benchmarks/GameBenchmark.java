@@ -1,0 +1,91 @@
+package yarts.physics.benchmarks;
+
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Setup;
+import yarts.physics.Integrator;
+import yarts.physics.Unit;
+import yarts.physics.World;
+
+/** What else a game does in a frame, by EULER: time, drawing, and the coming and going of units. */
+public class GameBenchmark extends Workload {
+    /** At 144 frames and 60 steps a second, this many frames are that many steps. */
+    static final int FRAMES = 12, STEPS = 5;
+
+    private static final double FRAME = 1 / 144.0; // s
+
+    @Param({"1000", "10000", "100000", "1000000"})
+    public int units;
+
+    private Army army;
+    private World world;
+    private Unit[] shuffled;
+    private int[] victims;
+    private int next;
+    private float[] xy;
+
+    @Setup
+    public void create() {
+        army = Army.of(units);
+        world = army.world(Integrator.EULER);
+        world.advance(1.5 * DT); // something to interpolate
+        shuffled = Army.shuffled(units).stream().map(world::get).toArray(Unit[]::new);
+        victims = Army.shuffled(units).stream().mapToInt(i -> i).toArray();
+        xy = new float[2 * units];
+        collect();
+    }
+
+    /** A force in every frame, held over its steps and in part carried to later ones; on one unit, not to measure it. */
+    @Benchmark
+    public void advance() {
+        for (int i = 0; i < FRAMES; i++) {
+            world.get(0).applyForce(FX, FY);
+            world.advance(FRAME);
+        }
+    }
+
+    /** As many steps as in advance, with a force in each. */
+    @Benchmark
+    public void steps() {
+        for (int i = 0; i < STEPS; i++) {
+            world.get(0).applyForce(FX, FY);
+            world.step(DT);
+        }
+    }
+
+    /** A step, and before it one in a hundred units dies and another one is born. */
+    @Benchmark
+    public void churn() {
+        for (int i = 0; i < units / 100; i++) {
+            next = (next + 1) % units;
+            world.remove(world.get(victims[next]));
+            world.add(army.unit(next));
+        }
+        world.step(DT);
+    }
+
+    /** All units leave the world, in random order, and come back. */
+    @Benchmark
+    public void removeAndAdd() {
+        for (Unit unit : shuffled) world.remove(unit);
+        for (Unit unit : shuffled) world.add(unit);
+    }
+
+    /** Every unit's interpolated position into a renderer's buffer, unit by unit. */
+    @Benchmark
+    public float[] getters() {
+        int i = 0;
+        for (Unit unit : world) {
+            xy[i++] = (float) unit.getInterpolatedX();
+            xy[i++] = (float) unit.getInterpolatedY();
+        }
+        return xy;
+    }
+
+    /** The same in one call. */
+    @Benchmark
+    public float[] copyPositions() {
+        world.copyPositions(xy, 0);
+        return xy;
+    }
+}

@@ -1,0 +1,187 @@
+package yarts.physics.benchmarks;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import yarts.physics.Integrator;
+import yarts.physics.benchmarks.Results.Row;
+
+/** Writes results as Markdown tables, and draws the plot. */
+final class Report {
+    private static final String START = "<!-- results -->", END = "<!-- end of results -->";
+    private static final int GAME = 10_000; // units
+    private static final double FRAME = 1e9 / 60; // ns
+
+    /** A line of a table: a label, and which benchmark it is with which parameters. */
+    record Line(String label, String benchmark, String... params) {
+        Optional<Row> in(Results results, int units) {
+            return results.find(benchmark, units, params);
+        }
+    }
+
+    private static final Line OBJECT_LIST = peer(Peers.OBJECT_LIST);
+
+    private Report() {}
+
+    /** Puts the tables of every file of results into docs/benchmarks.md, and the first file's plot beside it. */
+    static void write(Path results, Path docs) throws IOException {
+        List<Path> files;
+        try (Stream<Path> all = Files.list(results)) {
+            files = all.filter(file -> file.toString().endsWith(".json"))
+                    .sorted()
+                    .collect(Collectors.toList());
+        }
+        if (files.isEmpty()) throw new IllegalStateException("no results in " + results);
+        StringBuilder text = new StringBuilder(START);
+        for (Path file : files) text.append("\n\n").append(tables(new Results(file)));
+        text.append(END);
+        Path page = docs.resolve("benchmarks.md");
+        String old = Files.readString(page);
+        int start = old.indexOf(START), end = old.indexOf(END);
+        if (start < 0 || end < start) throw new IllegalStateException(page + " has no " + START + " ... " + END);
+        Files.writeString(page, old.substring(0, start) + text + old.substring(end + END.length()));
+        Plot.draw(new Results(files.get(0)), docs.resolve("images").resolve("benchmarks.png"));
+    }
+
+    /** The library's integrators, then the peers. */
+    static List<Line> contest() {
+        List<Line> lines = new ArrayList<>(ours("yarts-physics, ", "both"));
+        for (Peers peer : Peers.values()) lines.add(peer(peer));
+        return lines;
+    }
+
+    private static Line peer(Peers peer) {
+        return new Line(peer.label, "PeerBenchmark.both", "peer", peer.name());
+    }
+
+    private static List<Line> ours(String label, String method) {
+        return Stream.of(Integrator.values())
+                .map(how -> new Line(label + how, "StepBenchmark." + method, "integrator", how.name()))
+                .collect(Collectors.toList());
+    }
+
+    private static List<Line> workloads() {
+        List<Line> lines = new ArrayList<>();
+        lines.addAll(ours("step alone, ", "step"));
+        lines.addAll(ours("dt changes every step, ", "changingDt"));
+        lines.add(new Line("5 `step`s, a force on one unit", "GameBenchmark.steps"));
+        lines.add(new Line("the same in 12 `advance`s of 1/144 s", "GameBenchmark.advance"));
+        lines.add(new Line("all at rest, step alone", "UnitsBenchmark.atRest"));
+        lines.add(new Line("force and step, no top speed", "UnitsBenchmark.uncapped"));
+        lines.add(new Line("force and step, half at top speed", "UnitsBenchmark.halfCapped"));
+        lines.add(new Line("force and step, shuffled heap", "UnitsBenchmark.scattered"));
+        lines.add(new Line("the same, forces in shuffled order", "UnitsBenchmark.shuffled"));
+        lines.add(new Line("step, 1 % removed and added", "GameBenchmark.churn"));
+        lines.add(new Line("remove and add, no step", "GameBenchmark.removeAndAdd"));
+        lines.add(new Line("positions, by getters", "GameBenchmark.getters"));
+        lines.add(new Line("positions, by `copyPositions`", "GameBenchmark.copyPositions"));
+        return lines;
+    }
+
+    static String tables(Results results) throws IOException {
+        StringBuilder out = new StringBuilder("### " + results.name() + "\n\n");
+        results.machine().lines().forEach(line -> out.append("- ").append(line).append('\n'));
+
+        out.append("\nA force on every unit and a step: ns per unit and step, median (quartiles).\n\n");
+        String[] more = {"÷ list of objects", "of a 60 Hz frame", "bytes per unit", "what it cannot do"};
+        head(out, results, "", more);
+        for (Line line : contest()) {
+            Optional<Row> game = line.in(results, GAME);
+            Optional<Row> list = OBJECT_LIST.in(results, GAME);
+            row(
+                    out,
+                    results,
+                    line,
+                    game.isPresent() && list.isPresent()
+                            ? number(game.get().median() / list.get().median())
+                            : "",
+                    game.map(r -> percent(r.median() * GAME / FRAME)).orElse(""),
+                    game.map(r -> bytes(r.bytes())).orElse(""),
+                    lacks(line));
+        }
+        out.append("\n÷ list of objects and what follows it are for 10,000 units.\n");
+
+        out.append("\nOther work, by EULER where nothing else is said: ns per unit and step, median (quartiles).\n\n");
+        head(out, results, "", "bytes per unit");
+        for (Line line : workloads()) {
+            row(
+                    out,
+                    results,
+                    line,
+                    line.in(results, GAME).map(r -> bytes(r.bytes())).orElse(""));
+        }
+
+        out.append("\nThe step alone, 10,000 units, with and without HotSpot's vectoriser: ns per unit and step.\n\n");
+        out.append("|  | vectorised | `-XX:-UseSuperWord` | ratio |\n| --- | --: | --: | --: |\n");
+        for (Integrator how : Integrator.values()) {
+            for (boolean changing : new boolean[] {false, true}) {
+                String[] params = {"integrator", how.name(), "changingDt", Boolean.toString(changing)};
+                Optional<Row> fast = results.find("VectorisedBenchmark.vectorised", GAME, params);
+                Optional<Row> slow = results.find("VectorisedBenchmark.scalar", GAME, params);
+                if (fast.isEmpty() || slow.isEmpty()) continue;
+                cells(
+                        out,
+                        how + (changing ? ", dt changes every step" : ""),
+                        spread(fast.get()),
+                        spread(slow.get()),
+                        number(slow.get().median() / fast.get().median()));
+            }
+        }
+        return out.append('\n').toString();
+    }
+
+    private static String lacks(Line line) {
+        for (Peers peer : Peers.values()) if (peer.label.equals(line.label)) return peer.lacks();
+        return "";
+    }
+
+    private static void head(StringBuilder out, Results results, String first, String... more) {
+        List<String> cells = new ArrayList<>(List.of(first));
+        for (int units : results.sizes()) cells.add(String.format(Locale.ROOT, "%,d units", units));
+        cells.addAll(List.of(more));
+        cells(out, cells.toArray(new String[0]));
+        cells(
+                out,
+                IntStream.range(0, cells.size())
+                        .mapToObj(i -> i == 0 ? "---" : "--:")
+                        .toArray(String[]::new));
+    }
+
+    private static void row(StringBuilder out, Results results, Line line, String... more) {
+        List<String> cells = new ArrayList<>(List.of(line.label));
+        for (int units : results.sizes()) {
+            cells.add(line.in(results, units).map(Report::spread).orElse(""));
+        }
+        cells.addAll(List.of(more));
+        cells(out, cells.toArray(new String[0]));
+    }
+
+    private static void cells(StringBuilder out, String... cells) {
+        out.append("| ").append(String.join(" | ", cells)).append(" |\n");
+    }
+
+    private static String spread(Row row) {
+        return number(row.median()) + " (" + number(row.low()) + "–" + number(row.high()) + ")";
+    }
+
+    /** Three digits or so. */
+    private static String number(double d) {
+        return String.format(Locale.ROOT, d < 10 ? "%.2f" : d < 100 ? "%.1f" : "%,.0f", d);
+    }
+
+    private static String percent(double part) {
+        return String.format(Locale.ROOT, part < 0.1 ? "%.2f %%" : "%.0f %%", 100 * part);
+    }
+
+    /** The measuring itself allocates some hundred bytes in a call or a few, whatever the number of units. */
+    private static String bytes(double perUnit) {
+        return perUnit < 0.1 ? "0" : String.format(Locale.ROOT, "%.0f", perUnit);
+    }
+}

@@ -1,0 +1,54 @@
+package yarts.physics.benchmarks;
+
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.Level;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Setup;
+import yarts.physics.Integrator;
+import yarts.physics.World;
+
+/** A step of a world, by each integrator. */
+public class StepBenchmark extends Workload {
+    @Param({"1000", "10000", "100000", "1000000"})
+    public int units;
+
+    @Param({"EULER", "MIDPOINT", "EXACT"})
+    public Integrator integrator;
+
+    private Army army;
+    private World world;
+    private int tick;
+
+    @Setup
+    public void create() {
+        army = Army.of(units);
+        world = army.world(integrator);
+        collect();
+    }
+
+    /** A world that has been stepped for long without a push stands still. */
+    @Setup(Level.Iteration)
+    public void start() {
+        army.start(world);
+    }
+
+    /** What a game does: a force on every unit, and a step. */
+    @Benchmark
+    public void both() {
+        push(world);
+        world.step(DT);
+    }
+
+    /** No forces. */
+    @Benchmark
+    public void step() {
+        world.step(DT);
+    }
+
+    /** No forces, and dt is another one in every step, so that nothing can be kept from the step before. */
+    @Benchmark
+    public void changingDt() {
+        tick = (tick + 1) % 1000;
+        world.step(DT + tick * 1e-6);
+    }
+}
