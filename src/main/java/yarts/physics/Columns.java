@@ -16,6 +16,9 @@ import java.util.concurrent.atomic.AtomicReference;
 final class Columns {
     private static final int COUNT = 19;
 
+    /** Rows in a block; 10 arrays of 256 doubles are 20 KB of a cache of 32 KB. */
+    static final int BLOCK = 256;
+
     private static final int NURSERY = 32;
     private static final AtomicReference<Columns> nursery = new AtomicReference<>(new Columns(null, NURSERY));
 
@@ -52,9 +55,6 @@ final class Columns {
     private boolean framed;
     /** Whether any row may have a maxSpeed below rest. */
     private boolean pinned;
-    /** For the kernel to work in. */
-    final double[] scratch;
-
     /** How many rows of a nursery are taken. */
     private final AtomicInteger taken = new AtomicInteger();
 
@@ -62,11 +62,17 @@ final class Columns {
     private Integrator how;
     private double dt;
 
+    /** What a step has to do besides: renew the coefficients, keep the positions, spread a frame's forces. */
+    private boolean renew, settle, spread;
+    /** How to spread them; see {@link #spread}. */
+    private double before, after, perSecond;
+
+    private boolean repeated;
+
     Columns(World world, int capacity) {
         this.world = world;
         forced = carried = pinned = world == null;
-        scratch = world == null ? null : new double[Kernel.BLOCK];
-        use(new double[COUNT][capacity]);
+        resize(capacity);
     }
 
     /** Gives a unit a row outside any world, all zero. */
@@ -83,7 +89,13 @@ final class Columns {
         }
     }
 
-    private void use(double[][] a) {
+    private void resize(int capacity) {
+        double[][] a = new double[COUNT][];
+        for (int k = 0; k < COUNT; k++) {
+            // Not all of one size: arrays that begin at the same place of a page crowd one another out of the cache.
+            int length = capacity + k * Math.min(capacity / 64, 24);
+            a[k] = all == null ? new double[length] : Arrays.copyOf(all[k], length);
+        }
         all = a;
         int i = 0;
         x = a[i++];
@@ -112,9 +124,7 @@ final class Columns {
     }
 
     void grow() {
-        double[][] grown = new double[COUNT][];
-        for (int k = 0; k < COUNT; k++) grown[k] = Arrays.copyOf(all[k], 2 * capacity());
-        use(grown);
+        resize(2 * capacity());
     }
 
     /** Row i of this table becomes row j of another, which may be this one. */
@@ -124,15 +134,15 @@ final class Columns {
             to.frameX[j] = to.frameY[j] = 0; // what a frame of another table gave its steps
             to.forced |= to.fx[j] != 0 || to.fy[j] != 0;
             to.carried |= to.carryX[j] != 0 || to.carryY[j] != 0;
-            to.settle(j);
+            to.settle(j, j + 1);
             to.update(j);
         }
     }
 
-    /** The unit is where it is: nothing to interpolate from. */
-    void settle(int i) {
-        previousX[i] = x[i];
-        previousY[i] = y[i];
+    /** The rows' units are where they are: nothing to interpolate from. */
+    void settle(int from, int to) {
+        System.arraycopy(x, from, previousX, from, to - from);
+        System.arraycopy(y, from, previousY, from, to - from);
     }
 
     void clearForces(int i) {
@@ -154,15 +164,30 @@ final class Columns {
         }
     }
 
-    /** Steps every one of the first n rows. */
-    void stepAll(int n, double dt, Integrator how) {
-        if (dt != this.dt || how != this.how) {
-            this.dt = dt;
-            this.how = how;
-            coefficients(0, n, dt, how);
+    /**
+     * Steps every one of the first n rows, on the threads of a team unless that is null.
+     *
+     * @param interpolated whether to keep the positions before the step
+     */
+    void stepAll(int n, double dt, Integrator how, boolean interpolated, Team team) {
+        renew = dt != this.dt || how != this.how;
+        settle = interpolated;
+        this.dt = dt;
+        this.how = how;
+        if (team == null) stepRows(0, n);
+        else team.step(this, n);
+        forced = spread = false;
+    }
+
+    /** The part of stepAll that is done for each row; in blocks that stay in the first-level cache from pass to pass. */
+    void stepRows(int from, int to) {
+        for (int i = from; i < to; i += BLOCK) {
+            int end = Math.min(i + BLOCK, to);
+            if (renew) coefficients(i, end, dt, how);
+            if (spread) spreadRows(i, end);
+            if (settle) settle(i, end);
+            Kernel.step(this, i, end, dt, how);
         }
-        Kernel.step(this, 0, n, dt, how);
-        forced = false;
     }
 
     /** Steps row i alone, whatever step the table's coefficients are for. */
@@ -170,7 +195,7 @@ final class Columns {
         coefficients(i, i + 1, dt, how);
         Kernel.step(this, i, i + 1, dt, how);
         update(i);
-        settle(i);
+        settle(i, i + 1);
     }
 
     /**
@@ -196,24 +221,39 @@ final class Columns {
      * A frame whose steps cover {@code covered} seconds. The remainder was {@code before} and is {@code after}, so the
      * forces F of this frame acted for covered − before + after. Of their impulse F·after is for later; the rest, with
      * what was carried, is spread evenly over the steps: (carry + F (covered − before)) / covered, written so that a
-     * constant force is passed on to the bit.
+     * constant force is passed on to the bit. It is done with the next step, or by {@link #spreadAll} before.
+     *
+     * @param repeated whether there is more than one step
      */
-    void spread(int n, double before, double after, double covered) {
-        framed = forced || carried;
-        if (!framed) return;
-        spread(carryX, frameX, fx, n, before, after, covered);
-        spread(carryY, frameY, fy, n, before, after, covered);
-        carried = forced;
-        forced = true;
+    void spread(double before, double after, double covered, boolean repeated) {
+        framed = spread = forced || carried;
+        this.before = before;
+        this.after = after;
+        perSecond = 1 / Math.max(covered, 1e-9); // less, of variable steps only, would overflow
+        this.repeated = repeated;
+        carried = after > 0 && forced;
+        forced |= framed;
+    }
+
+    void spreadAll(int n) {
+        if (spread) spreadRows(0, n);
+        spread = false;
+    }
+
+    private void spreadRows(int from, int to) {
+        spread(carryX, fx, from, to, before, after, perSecond);
+        spread(carryY, fy, from, to, before, after, perSecond);
+        if (!repeated) return;
+        System.arraycopy(fx, from, frameX, from, to - from);
+        System.arraycopy(fy, from, frameY, from, to - from);
     }
 
     private static void spread(
-            double[] carry, double[] frame, double[] f, int n, double before, double after, double covered) {
-        for (int i = 0; i < n; i++) {
+            double[] carry, double[] f, int from, int to, double before, double after, double perSecond) {
+        for (int i = from; i < to; i++) {
             double force = f[i];
-            frame[i] = force + (carry[i] - force * before) / covered;
+            f[i] = force + (carry[i] - force * before) * perSecond;
             carry[i] = force * after;
-            f[i] = frame[i];
         }
     }
 
@@ -230,11 +270,5 @@ final class Columns {
         Arrays.fill(fx, 0, n, 0);
         Arrays.fill(fy, 0, n, 0);
         forced = false;
-    }
-
-    /** The positions from which to interpolate are the present ones. */
-    void settleAll(int n) {
-        System.arraycopy(x, 0, previousX, 0, n);
-        System.arraycopy(y, 0, previousY, 0, n);
     }
 }

@@ -11,14 +11,11 @@ package yarts.physics;
  * }</pre>
  *
  * <p>HotSpot vectorises a loop that is small (60 nodes of its graph) and has no branch. So a step is a series of such
- * passes, over blocks of rows small enough to stay in the first-level cache from pass to pass. Where a branch would do,
+ * passes, and {@link Columns} has them run over blocks of rows that stay in the first-level cache from pass to pass. Where a branch would do,
  * max(0, a) is written as (a + |a|) / 2, which is exact, and several times cheaper than Math.max with its care for NaN
  * and −0.0. Only + − * /, sqrt, abs, min and max are used, and StrictMath: the same bits on every JVM.
  */
 final class Kernel {
-    /** Rows in a block; 10 arrays of 256 doubles are 20 KB of a cache of 32 KB. A power of 2, for {@link #anyAbove}. */
-    static final int BLOCK = 256;
-
     /** No unit is faster; in m/s. Its square, and that of what a step can add to it, do not overflow. */
     static final double FASTEST = 0x1p500;
 
@@ -30,11 +27,8 @@ final class Kernel {
     private Kernel() {}
 
     static void step(Columns c, int from, int to, double dt, Integrator how) {
-        for (int i = from; i < to; i += BLOCK) {
-            int end = Math.min(i + BLOCK, to);
-            if (how == Integrator.EULER) euler(c, i, end, dt);
-            else average(c, i, end, dt, how);
-        }
+        if (how == Integrator.EULER) euler(c, from, to, dt);
+        else average(c, from, to, dt, how);
     }
 
     /** A step with lag 1: the position moves by the velocity the step starts with. */
@@ -118,24 +112,16 @@ final class Kernel {
         return v - v * (a + Math.abs(a)); // a + |a| is max(0, 1 − |v|/REST): 0 for all but the slowest
     }
 
-    /** The speed cap for a block. A block in which nobody is over it is left alone, which is the same to the bit. */
+    /** The speed cap for a block. One in which nobody is above it is left alone, which is the same to the bit. */
     private static void cap(Columns c, double[] vx, double[] vy, int from, int to) {
-        if (to - from < BLOCK || anyAbove(vx, vy, c.cap, c.scratch, from)) cap(vx, vy, c.cap, from, to);
+        if (anyAbove(vx, vy, c.cap, from, to)) cap(vx, vy, c.cap, from, to);
     }
 
-    /** Whether a velocity of a full block is above its cap. Sums max(0, v² − cap²) by halves, for the sake of vectors. */
-    private static boolean anyAbove(double[] vx, double[] vy, double[] cap, double[] sum, int from) {
-        for (int i = 0; i < BLOCK; i++) {
-            double a = vx[from + i], b = vy[from + i], c = cap[from + i];
-            double excess = a * a + b * b - c * c;
-            sum[i] = excess + Math.abs(excess);
+    private static boolean anyAbove(double[] vx, double[] vy, double[] cap, int from, int to) {
+        for (int i = from; i < to; i++) {
+            if (vx[i] * vx[i] + vy[i] * vy[i] > cap[i] * cap[i]) return true;
         }
-        for (int half = BLOCK / 2; half >= 8; half /= 2) fold(sum, half);
-        return sum[0] + sum[1] + sum[2] + sum[3] + sum[4] + sum[5] + sum[6] + sum[7] > 0;
-    }
-
-    private static void fold(double[] sum, int half) {
-        for (int i = 0; i < half; i++) sum[i] += sum[i + half];
+        return false;
     }
 
     /**

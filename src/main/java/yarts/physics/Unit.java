@@ -119,7 +119,7 @@ public class Unit {
         y = Check.finite("y", y);
         columns.x[row] = x;
         columns.y[row] = y;
-        columns.settle(row);
+        columns.settle(row, row + 1);
         return this;
     }
 
