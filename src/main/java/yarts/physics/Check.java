@@ -14,6 +14,8 @@ final class Check {
      */
     static final double MAX = 1e50;
 
+    private static final double MAX_HELD = 1e70;
+
     private Check() {}
 
     static double time(String name, double t) {
@@ -45,9 +47,27 @@ final class Check {
         return value + 0.0;
     }
 
+    static long count(String name, long n, long most) {
+        if (n < 0 || n > most) throw refused(name, "from 0 to " + most, n);
+        return n;
+    }
+
     /** A component of a force or of an impulse. */
     static void push(String name, double value) {
         if (!(Math.abs(value) <= MAX)) throw refused(name, "finite and at most 1.0E50 in magnitude", value);
+    }
+
+    /** A sum of such components, which is finite and more than 2^63 calls come to. */
+    static void held(String name, double value) {
+        if (!(Math.abs(value) <= MAX_HELD)) throw refused(name, "finite and at most 1.0E70 in magnitude", value);
+    }
+
+    /** A component of a velocity that steps can lead to. */
+    static void velocity(String name, double v, double most) {
+        boolean subnormal = v != 0 && Math.abs(v) < Double.MIN_NORMAL;
+        if (subnormal || !(Math.abs(v) <= most)) {
+            throw refused(name, "0 or a normal number, at most " + most + " in magnitude", v);
+        }
     }
 
     static <T> T notNull(String name, T value) {

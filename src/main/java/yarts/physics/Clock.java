@@ -12,7 +12,18 @@ final class Clock {
     /** The largest float below 1: a renderer that narrows alpha to float still gets less than 1. */
     private static final double MAX_ALPHA = 0x1.fffffep-1;
 
-    private final Timestep timestep;
+    private static final long MAX_TICKS = Long.MAX_VALUE / 4;
+    private static final double MAX_SUM = 1e100; // s
+
+    /** The names of {@link #state}. */
+    static final String[] STATE = {
+        "tick", "regularTicks", "remainder", "droppedTicks", "time", "timeError", "droppedTime", "droppedTimeError"
+    };
+
+    /** From here on in {@link #state} the longs are the bits of doubles. */
+    static final int DOUBLES = 4;
+
+    private Timestep timestep;
     private long tick;
     /** Of the ticks, those of exactly 1/rate seconds. */
     private long regular;
@@ -76,6 +87,74 @@ final class Clock {
         return timestep.isFixed() ? (double) droppedSteps / timestep.rate : dropped.value();
     }
 
+    Timestep timestep() {
+        return timestep;
+    }
+
+    void setTimestep(Timestep timestep) {
+        this.timestep = timestep;
+    }
+
+    void set(Clock other) {
+        timestep = other.timestep;
+        tick = other.tick;
+        regular = other.regular;
+        remainder = other.remainder;
+        droppedSteps = other.droppedSteps;
+        irregular.set(other.irregular.sum, other.irregular.error);
+        dropped.set(other.dropped.sum, other.dropped.error);
+    }
+
+    /** {@return the whole state but for the timestep} */
+    long[] state() {
+        return new long[] {
+            tick,
+            regular,
+            remainder,
+            droppedSteps,
+            Double.doubleToRawLongBits(irregular.sum),
+            Double.doubleToRawLongBits(irregular.error),
+            Double.doubleToRawLongBits(dropped.sum),
+            Double.doubleToRawLongBits(dropped.error)
+        };
+    }
+
+    /**
+     * The reverse of {@link #state}.
+     *
+     * @throws IllegalArgumentException if no clock can have come to this; it is to be thrown away then
+     */
+    void setState(long[] state) {
+        tick = Check.count(STATE[0], state[0], MAX_TICKS);
+        regular = Check.count(STATE[1], state[1], tick);
+        remainder = Check.count(STATE[2], state[2], timestep.isFixed() ? SECOND - 1 : 0);
+        droppedSteps = Check.count(STATE[3], state[3], MAX_TICKS);
+        irregular.set(sum(4, state), sum(5, state));
+        dropped.set(sum(6, state), sum(7, state));
+    }
+
+    private static double sum(int i, long[] state) {
+        double sum = Check.finite(STATE[i], Double.longBitsToDouble(state[i]));
+        if (!(Math.abs(sum) <= MAX_SUM && (i % 2 == 1 || sum >= 0))) {
+            throw Check.refused(
+                    STATE[i], (i % 2 == 1 ? "" : ">= 0 and ") + "at most " + MAX_SUM + " in magnitude", sum);
+        }
+        return sum;
+    }
+
+    /** A hash of all this that goes on from h. */
+    long hash(long h) {
+        h = mix(mix(mix(h, timestep.rate), Double.doubleToRawLongBits(timestep.maxStep)), timestep.maxSteps);
+        h = mix(mix(mix(mix(h, tick), regular), remainder), droppedSteps);
+        return dropped.hash(irregular.hash(h));
+    }
+
+    /** One step of a hash. For every h it is one-to-one in v, and for every v in h. */
+    static long mix(long h, long v) {
+        h = (h ^ v) * 0xD6E8FEB86659FD93L; // any odd number of many mixed bits
+        return h ^ (h >>> 32);
+    }
+
     /** A running sum that carries its rounding error (Neumaier, 1974). */
     private static final class Sum {
         private double sum, error;
@@ -88,6 +167,15 @@ final class Clock {
 
         double value() {
             return sum + error;
+        }
+
+        void set(double sum, double error) {
+            this.sum = sum;
+            this.error = error;
+        }
+
+        long hash(long h) {
+            return mix(mix(h, Double.doubleToRawLongBits(sum)), Double.doubleToRawLongBits(error + 0.0));
         }
     }
 }

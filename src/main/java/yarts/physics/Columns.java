@@ -14,7 +14,13 @@ import java.util.concurrent.atomic.AtomicReference;
  * how).
  */
 final class Columns {
-    private static final int COUNT = 19;
+    /** The places in {@link #all} of the forces, of the columns after them, and of the end. */
+    private static final int FORCES = 11, CARRIES = 13, PREVIOUS = 15, FRAMES = 17, COUNT = 19;
+
+    /** The names of {@link #state}. */
+    static final String[] STATE = {
+        "x", "y", "vx", "vy", "mass", "friction", "maxSpeed", "fx", "fy", "carryX", "carryY", "previousX", "previousY"
+    };
 
     /** Rows in a block; 10 arrays of 256 doubles are 20 KB of a cache of 32 KB. */
     static final int BLOCK = 256;
@@ -30,6 +36,9 @@ final class Columns {
 
     /** The world whose table this is, or null. */
     final World world;
+
+    /** What the world that the unit was added to numbered it: 1, 2, 3 and so on; 0 if it was never in any. */
+    long[] id = {};
 
     double[] x, y, vx, vy;
     /** The force for the next step. */
@@ -97,19 +106,12 @@ final class Columns {
             a[k] = all == null ? new double[length] : Arrays.copyOf(all[k], length);
         }
         all = a;
+        id = Arrays.copyOf(id, capacity);
         int i = 0;
         x = a[i++];
         y = a[i++];
         vx = a[i++];
         vy = a[i++];
-        fx = a[i++];
-        fy = a[i++];
-        frameX = a[i++];
-        frameY = a[i++];
-        carryX = a[i++];
-        carryY = a[i++];
-        previousX = a[i++];
-        previousY = a[i++];
         mass = a[i++];
         friction = a[i++];
         maxSpeed = a[i++];
@@ -117,18 +119,33 @@ final class Columns {
         decay = a[i++];
         gain = a[i++];
         lag = a[i++];
+        fx = a[i++];
+        fy = a[i++];
+        carryX = a[i++];
+        carryY = a[i++];
+        previousX = a[i++];
+        previousY = a[i++];
+        frameX = a[i++];
+        frameY = a[i++];
     }
 
     int capacity() {
         return x.length;
     }
 
-    void grow() {
-        resize(2 * capacity());
+    /** Makes room for n rows. */
+    void reserve(int n) {
+        if (n > capacity()) resize(Math.max(n, 2 * capacity()));
+    }
+
+    /** All that a unit's future depends on. The other columns follow from these, or last for a frame. */
+    double[][] state() {
+        return new double[][] {x, y, vx, vy, mass, friction, maxSpeed, fx, fy, carryX, carryY, previousX, previousY};
     }
 
     /** Row i of this table becomes row j of another, which may be this one. */
     void copyRow(int i, Columns to, int j) {
+        to.id[j] = id[i];
         for (int k = 0; k < COUNT; k++) to.all[k][j] = all[k][i];
         if (to != this) {
             to.frameX[j] = to.frameY[j] = 0; // what a frame of another table gave its steps
@@ -137,6 +154,77 @@ final class Columns {
             to.settle(j, j + 1);
             to.update(j);
         }
+    }
+
+    /** The first n rows of another table become those of this one; without the frame that is in hand, if one is. */
+    void copyRows(int n, Columns to, boolean interpolating) {
+        to.reserve(n);
+        System.arraycopy(id, 0, to.id, 0, n);
+        copy(0, FORCES, n, to, true);
+        copy(FORCES, CARRIES, n, to, forced);
+        copy(CARRIES, PREVIOUS, n, to, carried);
+        if (interpolating) copy(PREVIOUS, FRAMES, n, to, true);
+        else to.settle(0, n);
+        to.forced = forced;
+        to.carried = carried;
+        to.pinned = pinned;
+        to.dt = dt;
+        to.how = how;
+    }
+
+    private void copy(int first, int end, int n, Columns to, boolean used) {
+        for (int k = first; k < end; k++) {
+            if (used) System.arraycopy(all[k], 0, to.all[k], 0, n);
+            else Arrays.fill(to.all[k], 0, n, 0);
+        }
+    }
+
+    /** Refuses a row whose state was written from outside, if no unit can have come to it. */
+    void check(int i) {
+        Check.finite("x", x[i]);
+        Check.finite("y", y[i]);
+        Check.finite("previousX", previousX[i]);
+        Check.finite("previousY", previousY[i]);
+        Check.mass(mass[i]);
+        Check.friction(friction[i]);
+        double most = Math.min(Check.maxSpeed(maxSpeed[i]), Kernel.FASTEST);
+        if (most < Kernel.REST) most = 0;
+        Check.velocity("vx", vx[i], most);
+        Check.velocity("vy", vy[i], most);
+        double speed = Math.sqrt(vx[i] * vx[i] + vy[i] * vy[i]);
+        if (!(speed <= most)) throw Check.refused("speed", "at most " + most + " m/s", speed);
+        Check.held("fx", fx[i]);
+        Check.held("fy", fy[i]);
+        Check.held("carryX", carryX[i]);
+        Check.held("carryY", carryY[i]);
+    }
+
+    /** Works out what follows from the state of the first n rows, which was written from outside. */
+    void follow(int n) {
+        forced = carried = pinned = true;
+        how = null;
+        for (int i = 0; i < n; i++) update(i);
+    }
+
+    /**
+     * A hash of the order and state of the first n rows, that goes on from h. The change of a single bit always shows,
+     * since each step can be undone; and a column of zeros adds nothing, so that it can be left out.
+     */
+    long hash(long h, int n, boolean interpolating) {
+        for (int i = 0; i < n; i++) {
+            long row = id[i] * 3 + mix(x[i]) * 5 + mix(y[i]) * 7 + mix(vx[i]) * 11 + mix(vy[i]) * 13;
+            row += mix(mass[i]) * 17 + mix(friction[i]) * 19 + mix(maxSpeed[i]) * 23;
+            if (forced) row += mix(fx[i]) * 29 + mix(fy[i]) * 31;
+            if (carried) row += mix(carryX[i]) * 37 + mix(carryY[i]) * 41;
+            if (interpolating) row += mix(previousX[i]) * 43 + mix(previousY[i]) * 47;
+            h = Clock.mix(h, row);
+        }
+        return h;
+    }
+
+    private static long mix(double v) {
+        long bits = Double.doubleToRawLongBits(v + 0.0) * 0x9E3779B97F4A7C15L; // -0.0 is 0.0
+        return bits ^ (bits >>> 32);
     }
 
     /** The rows' units are where they are: nothing to interpolate from. */

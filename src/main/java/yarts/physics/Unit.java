@@ -86,6 +86,17 @@ public class Unit {
         return columns.maxSpeed[row];
     }
 
+    /**
+     * {@return the number that its world gave this unit when it was added} The first unit that is added to a world gets
+     * 1, the next 2; none is given twice. A unit that was removed keeps it until it is added again, to the same world or
+     * another. It is 0 before.
+     *
+     * @see World#find
+     */
+    public final long getId() {
+        return columns.id[row];
+    }
+
     /** {@return the world this unit is in, or null} */
     public final World getWorld() {
         return columns.world;

@@ -3,11 +3,16 @@ package yarts.physics;
 import java.util.AbstractList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.RandomAccess;
+import java.util.Set;
 import java.util.concurrent.ForkJoinPool;
+import java.util.function.LongFunction;
 
 /**
  * Steps many units together, at fixed or variable timesteps.
@@ -29,15 +34,22 @@ import java.util.concurrent.ForkJoinPool;
  * use by several threads at once.
  */
 public final class World implements Iterable<Unit> {
-    private final Integrator how;
-    private final Timestep timestep;
+    /** Volatile, so that no compiler works out in its own thread what they become. */
+    private static volatile double smallestNormal = Double.MIN_NORMAL, smallest = Double.MIN_VALUE;
+
     private final Clock clock;
+    private Integrator how;
+    private Timestep timestep;
     private final Columns columns = new Columns(this, 16);
     private final Members members = new Members();
     private final List<Unit> units = Collections.unmodifiableList(members);
     private StepListener listener;
     private Team team;
     private boolean stepping;
+    /** How many units were ever added. */
+    private long lastId;
+    /** The units by id; null until somebody asks. */
+    private Map<Long, Unit> byId;
     /** Whether the last step was one to interpolate over. */
     private boolean interpolating;
 
@@ -59,7 +71,8 @@ public final class World implements Iterable<Unit> {
     }
 
     /**
-     * Adds a unit, as the last, with its state and the forces applied to it.
+     * Adds a unit, as the last, with its state and the forces applied to it. It gets the next {@linkplain Unit#getId()
+     * id}.
      *
      * @param <U> the unit's own type
      * @param unit a unit that is in no world
@@ -115,6 +128,21 @@ public final class World implements Iterable<Unit> {
      */
     public Unit get(int index) {
         return members.get(index);
+    }
+
+    /**
+     * {@return the unit with an id, or null if it is not in this world} In constant time, but for the first call and the
+     * first after a {@link #restore} that brought or took units, which look at all of them.
+     *
+     * @param id the id
+     * @see Unit#getId()
+     */
+    public Unit find(long id) {
+        if (byId == null) {
+            byId = new HashMap<>();
+            for (Unit unit : this) byId.put(unit.getId(), unit);
+        }
+        return byId.get(id);
     }
 
     /** {@return the units in order: a live view that cannot be modified} */
@@ -225,8 +253,13 @@ public final class World implements Iterable<Unit> {
     }
 
     private void begin() {
-        if (stepping) throw new IllegalStateException("a step is running: a StepListener must not step its world");
+        refuseWhileStepping();
         stepping = true;
+    }
+
+    private void refuseWhileStepping() {
+        if (!stepping) return;
+        throw new IllegalStateException("a step is running: a StepListener must not step, save or restore its world");
     }
 
     /** {@return how far time is on its way from one fixed step to the next: at least 0, and below 1 even as a float} */
@@ -285,6 +318,103 @@ public final class World implements Iterable<Unit> {
         }
     }
 
+    /**
+     * {@return a hash of all that this world's future depends on} That is the integrator, the timestep, where the world
+     * stands in time, its units' ids, order and state, and the forces held for later. Two worlds that were treated alike
+     * have the same hash, on any JVM and machine; if but one bit differs, so does the hash. It creates no garbage.
+     *
+     * @see Snapshot#difference
+     */
+    public long stateHash() {
+        long h = Clock.mix(clock.hash(how.ordinal()), lastId);
+        h = Clock.mix(Clock.mix(h, size()), interpolating ? 1 : 0);
+        return columns.hash(h, size(), interpolating);
+    }
+
+    /**
+     * Saves this world into a snapshot, to {@link #restore} it later: all that {@link #stateHash} is a hash of, and which
+     * units they are. The step listener and the pool are not part of it. A snapshot that is used again creates no garbage.
+     *
+     * @param into what to save into; what it held before is lost
+     * @throws IllegalStateException if called from a {@link StepListener}
+     */
+    public void save(Snapshot into) {
+        Check.notNull("into", into);
+        refuseWhileStepping();
+        into.take(this, how, clock, lastId, interpolating, columns, members.list, size());
+    }
+
+    /**
+     * Makes this world what it was, or another one is, in a snapshot.
+     *
+     * <p>If the snapshot was taken of this world, the units are the same objects as then: one added since leaves the
+     * world, with its present state; one removed since is back. Otherwise the units of this world with the same ids stay,
+     * and {@code new Unit} makes the missing ones.
+     *
+     * @param from the snapshot, which can be restored from again
+     * @throws IllegalArgumentException if nothing was saved into the snapshot
+     * @throws IllegalStateException if called from a {@link StepListener}, or if a unit of the snapshot is in another
+     *     world by now; nothing is changed then
+     */
+    public void restore(Snapshot from) {
+        restore(from, id -> new Unit(1));
+    }
+
+    /**
+     * Makes this world what it was, or another one is, in a snapshot; with the caller's own class of units.
+     *
+     * @param from the snapshot
+     * @param factory makes a unit, in no world, for an id that is missing here; its state is then that of the snapshot
+     * @throws IllegalArgumentException if nothing was saved into the snapshot
+     * @throws IllegalStateException as in {@link #restore(Snapshot)}, or if the factory returns a unit that is in a world
+     *     or that it has returned before; nothing is changed then
+     */
+    public void restore(Snapshot from, LongFunction<? extends Unit> factory) {
+        Check.notNull("from", from);
+        Check.notNull("factory", factory);
+        refuseWhileStepping();
+        from.requireSaved();
+        members.set(from.world == this ? from.units : unitsFor(from, factory), from.size);
+        from.columns.copyRows(from.size, columns, from.interpolating);
+        clock.set(from.clock);
+        timestep = clock.timestep();
+        how = from.how;
+        lastId = from.lastId;
+        interpolating = from.interpolating;
+    }
+
+    private Unit[] unitsFor(Snapshot from, LongFunction<? extends Unit> factory) {
+        Unit[] wanted = new Unit[from.size];
+        Set<Unit> made = Collections.newSetFromMap(new IdentityHashMap<>());
+        for (int i = 0; i < from.size; i++) {
+            long id = from.columns.id[i];
+            wanted[i] = find(id);
+            if (wanted[i] != null) continue;
+            wanted[i] = Check.notNull("the factory's unit", factory.apply(id));
+            if (wanted[i].getWorld() != null || !made.add(wanted[i])) {
+                throw new IllegalStateException("the factory must make a new unit for id " + id + ", not " + wanted[i]);
+            }
+        }
+        return wanted;
+    }
+
+    /**
+     * Checks that this thread's arithmetic is Java's, without which worlds on two machines drift apart: native code, such
+     * as a library built for fast arithmetic, can switch a thread or all that it starts to flush tiny numbers to 0. Call
+     * it on the thread that steps, once native libraries are loaded.
+     *
+     * @throws IllegalStateException if it flushes subnormal numbers, as results or as operands; the message says which
+     */
+    public static void checkArithmetic() {
+        boolean results = Double.doubleToRawLongBits(smallestNormal / 2) == 0;
+        boolean operands = Double.doubleToRawLongBits(smallest * 0x1p100) == 0;
+        if (results || operands) {
+            throw new IllegalStateException("this thread flushes subnormal numbers to 0, as "
+                    + (results ? operands ? "results and operands" : "results" : "operands")
+                    + ": native code has changed its floating-point mode (FTZ, DAZ)");
+        }
+    }
+
     private static float narrow(double v) {
         return (float) Math.max(-Float.MAX_VALUE, Math.min(Float.MAX_VALUE, v));
     }
@@ -299,16 +429,47 @@ public final class World implements Iterable<Unit> {
         private int size;
 
         void append(Unit unit) {
-            if (size == columns.capacity()) columns.grow();
-            if (size == list.length) list = Arrays.copyOf(list, 2 * size);
+            reserve(size + 1);
             unit.columns.copyRow(unit.row, columns, size);
+            columns.id[size] = ++lastId;
             place(unit, columns, size++);
+            if (byId != null) byId.put(lastId, unit);
             modCount++;
+        }
+
+        private void reserve(int n) {
+            columns.reserve(n);
+            if (n > list.length) list = Arrays.copyOf(list, columns.capacity());
+        }
+
+        /** The first n of some units become those of this world; their rows are to be filled. */
+        void set(Unit[] wanted, int n) {
+            if (n == size && begins(wanted, n)) return;
+            for (int i = 0; i < n; i++) {
+                World world = wanted[i].getWorld();
+                if (world != null && world != World.this) {
+                    throw new IllegalStateException("a unit of the snapshot is in another world by now: " + wanted[i]);
+                }
+            }
+            for (int i = 0; i < n; i++) if (World.this.contains(wanted[i])) list[wanted[i].row] = null; // it stays
+            for (int i = 0; i < size; i++) if (list[i] != null) release(list[i]);
+            Arrays.fill(list, 0, size, null);
+            reserve(n);
+            for (int i = 0; i < n; i++) place(wanted[i], columns, i);
+            size = n;
+            byId = null;
+            modCount++;
+        }
+
+        private boolean begins(Unit[] wanted, int n) {
+            for (int i = 0; i < n; i++) if (wanted[i] != list[i]) return false;
+            return true;
         }
 
         @Override
         public Unit remove(int index) {
             Unit unit = get(index);
+            if (byId != null) byId.remove(unit.getId());
             release(unit);
             Unit last = list[--size];
             list[size] = null;
@@ -325,6 +486,7 @@ public final class World implements Iterable<Unit> {
             for (int i = 0; i < size; i++) release(list[i]);
             Arrays.fill(list, 0, size, null);
             size = 0;
+            byId = null;
             modCount++;
         }
 
