@@ -14,8 +14,8 @@ import java.util.concurrent.atomic.AtomicReference;
  * how).
  */
 final class Columns {
-    /** The places in {@link #all} of the forces, of the columns after them, and of the end. */
-    private static final int FORCES = 11, CARRIES = 13, PREVIOUS = 15, FRAMES = 17, COUNT = 19;
+    /** Where in {@link #all} what follows from the state begins, then the forces and so on, and the end. */
+    private static final int COEFFICIENTS = 7, FORCES = 11, CARRIES = 13, PREVIOUS = 15, FRAMES = 17, COUNT = 19;
 
     /** The names of {@link #state}. */
     static final String[] STATE = {
@@ -146,14 +146,22 @@ final class Columns {
     /** Row i of this table becomes row j of another, which may be this one. */
     void copyRow(int i, Columns to, int j) {
         to.id[j] = id[i];
-        for (int k = 0; k < COUNT; k++) to.all[k][j] = all[k][i];
-        if (to != this) {
-            to.frameX[j] = to.frameY[j] = 0; // what a frame of another table gave its steps
+        copyCells(i, to, j, 0, to == this ? FORCES : COEFFICIENTS, true);
+        copyCells(i, to, j, FORCES, CARRIES, forced);
+        copyCells(i, to, j, CARRIES, PREVIOUS, carried);
+        copyCells(i, to, j, FRAMES, COUNT, to == this && framed);
+        if (to == this) {
+            copyCells(i, to, j, PREVIOUS, FRAMES, true);
+        } else {
             to.forced |= to.fx[j] != 0 || to.fy[j] != 0;
             to.carried |= to.carryX[j] != 0 || to.carryY[j] != 0;
             to.settle(j, j + 1);
             to.update(j);
         }
+    }
+
+    private void copyCells(int i, Columns to, int j, int first, int end, boolean used) {
+        for (int k = first; k < end; k++) to.all[k][j] = used ? all[k][i] : 0;
     }
 
     /** The first n rows of another table become those of this one; without the frame that is in hand, if one is. */

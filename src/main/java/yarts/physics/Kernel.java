@@ -156,27 +156,75 @@ final class Kernel {
                 }
                 break;
             case EXACT:
-                for (int i = from; i < to; i++) exact(c, i, dt / mass[i]);
+                double[] lag = c.lag;
+                for (int i = from; i < to; i++) {
+                    gain[i] = dt / mass[i];
+                    lag[i] = friction[i] * gain[i]; // z, for the moment
+                }
+                if (allBelow(SMALL, lag, from, to)) {
+                    smallExact(decay, gain, lag, from, to);
+                    smallLag(lag, from, to);
+                } else {
+                    for (int i = from; i < to; i++) exact(decay, gain, lag, i);
+                }
                 break;
         }
     }
 
+    /** Below this z, series are as good as exp. They can be vectorised. */
+    private static final double SMALL = 0.5;
+
     /** From this z on even FASTEST decays to rest in one step, and e^−z would be subnormal soon after. */
     private static final double NO_DECAY = 700;
 
-    private static void exact(Columns c, int i, double h) {
-        double z = c.friction[i] * h;
-        double left, gone; // e^−z and 1 − e^−z, neither from a difference that cancels
-        if (z < 0.5) {
-            gone = -StrictMath.expm1(-z);
-            left = 1 - gone;
-        } else {
-            left = z < NO_DECAY ? StrictMath.exp(-z) : 0;
-            gone = 1 - left;
+    private static boolean allBelow(double limit, double[] z, int from, int to) {
+        for (int i = from; i < to; i++) if (z[i] >= limit) return false;
+        return true;
+    }
+
+    private static void smallExact(double[] decay, double[] gain, double[] z, int from, int to) {
+        for (int i = from; i < to; i++) {
+            double g = gain(z[i]);
+            decay[i] = 1 - z[i] * g;
+            gain[i] *= g;
         }
-        c.decay[i] = left;
-        c.gain[i] = z > 0 ? h * (gone / z) : h;
-        c.lag[i] = z < 1 ? lag(z) : 1 / z - left / gone;
+    }
+
+    private static void smallLag(double[] lag, int from, int to) {
+        for (int i = from; i < to; i++) lag[i] = lag(lag[i]);
+    }
+
+    /** Row i by the same arithmetic, or for larger z by exp. */
+    private static void exact(double[] decay, double[] gain, double[] lag, int i) {
+        double z = lag[i];
+        if (z < SMALL) {
+            smallExact(decay, gain, lag, i, i + 1);
+            smallLag(lag, i, i + 1);
+        } else {
+            double left = z < NO_DECAY ? StrictMath.exp(-z) : 0, gone = 1 - left;
+            decay[i] = left;
+            gain[i] *= gone / z;
+            lag[i] = z < 1 ? lag(z) : 1 / z - left / gone;
+        }
+    }
+
+    /** (1 − e^−z)/z = Σ (−z)^k / (k + 1)!; below SMALL, the terms left out come to less than 2e-18. */
+    private static double gain(double z) {
+        double sum = 1 / 1307674368000.0;
+        sum = 1 / 87178291200.0 - z * sum;
+        sum = 1 / 6227020800.0 - z * sum;
+        sum = 1 / 479001600.0 - z * sum;
+        sum = 1 / 39916800.0 - z * sum;
+        sum = 1 / 3628800.0 - z * sum;
+        sum = 1 / 362880.0 - z * sum;
+        sum = 1 / 40320.0 - z * sum;
+        sum = 1 / 5040.0 - z * sum;
+        sum = 1 / 720.0 - z * sum;
+        sum = 1 / 120.0 - z * sum;
+        sum = 1 / 24.0 - z * sum;
+        sum = 1 / 6.0 - z * sum;
+        sum = 1 / 2.0 - z * sum;
+        return 1 - z * sum;
     }
 
     /**

@@ -4,6 +4,7 @@ import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Setup;
 import yarts.physics.Integrator;
+import yarts.physics.Snapshot;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
@@ -23,6 +24,7 @@ public class GameBenchmark extends Workload {
     private int[] victims;
     private int next;
     private float[] xy;
+    private final Snapshot snapshot = new Snapshot();
 
     @Setup
     public void create() {
@@ -32,25 +34,48 @@ public class GameBenchmark extends Workload {
         shuffled = Army.shuffled(units).stream().map(world::get).toArray(Unit[]::new);
         victims = Army.shuffled(units).stream().mapToInt(i -> i).toArray();
         xy = new float[2 * units];
+        world.save(snapshot);
         collect();
     }
 
-    /** A force in every frame, held over its steps and in part carried to later ones; on one unit, not to measure it. */
+    /** A force on every unit in every frame, held over its steps and in part carried to later ones. */
     @Benchmark
     public void advance() {
+        for (int i = 0; i < FRAMES; i++) {
+            push(world);
+            world.advance(FRAME);
+        }
+    }
+
+    /** As many forces and steps as in advance. */
+    @Benchmark
+    public void steps() {
+        for (int i = 0; i < FRAMES; i++) {
+            push(world);
+            if (endsStep(i)) world.step(DT);
+        }
+    }
+
+    /** As advance, but with a force on one unit, not to measure the applying of forces. */
+    @Benchmark
+    public void advanceAlone() {
         for (int i = 0; i < FRAMES; i++) {
             world.get(0).applyForce(FX, FY);
             world.advance(FRAME);
         }
     }
 
-    /** As many steps as in advance, with a force in each. */
+    /** As many forces and steps as in advanceAlone. */
     @Benchmark
-    public void steps() {
-        for (int i = 0; i < STEPS; i++) {
+    public void stepsAlone() {
+        for (int i = 0; i < FRAMES; i++) {
             world.get(0).applyForce(FX, FY);
-            world.step(DT);
+            if (endsStep(i)) world.step(DT);
         }
+    }
+
+    private static boolean endsStep(int frame) {
+        return frame * STEPS / FRAMES != (frame + 1) * STEPS / FRAMES;
     }
 
     /** A step, and before it one in a hundred units dies and another one is born. */
@@ -69,6 +94,24 @@ public class GameBenchmark extends Workload {
     public void removeAndAdd() {
         for (Unit unit : shuffled) world.remove(unit);
         for (Unit unit : shuffled) world.add(unit);
+    }
+
+    /** The whole world into a snapshot. */
+    @Benchmark
+    public void save() {
+        world.save(snapshot);
+    }
+
+    /** And back. */
+    @Benchmark
+    public void restore() {
+        world.restore(snapshot);
+    }
+
+    /** A hash of all of the world. */
+    @Benchmark
+    public long stateHash() {
+        return world.stateHash();
     }
 
     /** Every unit's interpolated position into a renderer's buffer, unit by unit. */

@@ -71,8 +71,13 @@ final class Report {
         List<Line> lines = new ArrayList<>();
         lines.addAll(ours("step alone, ", "step"));
         lines.addAll(ours("dt changes every step, ", "changingDt"));
-        lines.add(new Line("5 `step`s, a force on one unit", "GameBenchmark.steps"));
+        for (String threads : new String[] {"1", "2"}) {
+            lines.add(new Line("step alone, pool of " + threads, "ThreadsBenchmark.step", "threads", threads));
+        }
+        lines.add(new Line("12 times a force on all, 5 `step`s", "GameBenchmark.steps"));
         lines.add(new Line("the same in 12 `advance`s of 1/144 s", "GameBenchmark.advance"));
+        lines.add(new Line("12 times a force on one unit, 5 `step`s", "GameBenchmark.stepsAlone"));
+        lines.add(new Line("the same in 12 `advance`s of 1/144 s", "GameBenchmark.advanceAlone"));
         lines.add(new Line("all at rest, step alone", "UnitsBenchmark.atRest"));
         lines.add(new Line("force and step, no top speed", "UnitsBenchmark.uncapped"));
         lines.add(new Line("force and step, half at top speed", "UnitsBenchmark.halfCapped"));
@@ -80,6 +85,9 @@ final class Report {
         lines.add(new Line("the same, forces in shuffled order", "UnitsBenchmark.shuffled"));
         lines.add(new Line("step, 1 % removed and added", "GameBenchmark.churn"));
         lines.add(new Line("remove and add, no step", "GameBenchmark.removeAndAdd"));
+        lines.add(new Line("`save`", "GameBenchmark.save"));
+        lines.add(new Line("`restore`", "GameBenchmark.restore"));
+        lines.add(new Line("`stateHash`", "GameBenchmark.stateHash"));
         lines.add(new Line("positions, by getters", "GameBenchmark.getters"));
         lines.add(new Line("positions, by `copyPositions`", "GameBenchmark.copyPositions"));
         return lines;

@@ -12,13 +12,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 
 /** The figures of a file of JMH's JSON, for a unit and a step. */
 final class Results {
     /** Steps in a call, where it is not one. */
-    private static final Map<String, Integer> STEPS =
-            Map.of("GameBenchmark.advance", GameBenchmark.STEPS, "GameBenchmark.steps", GameBenchmark.STEPS);
+    private static final Map<String, Integer> STEPS = Stream.of("advance", "steps", "advanceAlone", "stepsAlone")
+            .collect(Collectors.toMap(name -> "GameBenchmark." + name, name -> GameBenchmark.STEPS));
 
     /**
      * A benchmark with its parameters.

@@ -1,0 +1,39 @@
+package yarts.physics.benchmarks;
+
+import java.util.concurrent.ForkJoinPool;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.TearDown;
+import yarts.physics.Integrator;
+import yarts.physics.World;
+
+/** A step alone, by EULER, on one thread and on several: worth it only if the machine has as many. */
+public class ThreadsBenchmark extends Workload {
+    @Param({"1000", "10000", "100000", "1000000"})
+    public int units;
+
+    @Param({"1", "2"})
+    public int threads;
+
+    private World world;
+    private ForkJoinPool pool;
+
+    @Setup
+    public void create() {
+        world = Army.of(units).world(Integrator.EULER);
+        pool = new ForkJoinPool(threads);
+        world.setPool(pool);
+        collect();
+    }
+
+    @TearDown
+    public void end() {
+        pool.shutdown();
+    }
+
+    @Benchmark
+    public void step() {
+        world.step(DT);
+    }
+}
