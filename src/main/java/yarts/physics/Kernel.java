@@ -174,9 +174,6 @@ final class Kernel {
     /** Below this z, series are as good as exp. They can be vectorised. */
     private static final double SMALL = 0.5;
 
-    /** From this z on even FASTEST decays to rest in one step, and e^−z would be subnormal soon after. */
-    private static final double NO_DECAY = 700;
-
     private static boolean allBelow(double limit, double[] z, int from, int to) {
         for (int i = from; i < to; i++) if (z[i] >= limit) return false;
         return true;
@@ -201,7 +198,7 @@ final class Kernel {
             smallExact(decay, gain, lag, i, i + 1);
             smallLag(lag, i, i + 1);
         } else {
-            double left = z < NO_DECAY ? StrictMath.exp(-z) : 0, gone = 1 - left;
+            double left = StrictMath.exp(-z), gone = 1 - left;
             decay[i] = left;
             gain[i] *= gone / z;
             lag[i] = z < 1 ? lag(z) : 1 / z - left / gone;
