@@ -53,7 +53,7 @@ final class Clock {
     }
 
     void drop(long steps, double dt) {
-        if (timestep.isFixed()) droppedSteps += steps;
+        if (timestep.isFixed()) droppedSteps = Math.min(droppedSteps + steps, MAX_TICKS);
         else drop(steps * dt);
     }
 

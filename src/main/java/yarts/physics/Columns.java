@@ -191,8 +191,8 @@ final class Columns {
     void check(int i) {
         Check.finite("x", x[i]);
         Check.finite("y", y[i]);
-        Check.finite("previousX", previousX[i]);
-        Check.finite("previousY", previousY[i]);
+        Check.finite("x - previousX", x[i] - Check.finite("previousX", previousX[i])); // or they cannot be
+        Check.finite("y - previousY", y[i] - Check.finite("previousY", previousY[i])); // interpolated
         Check.mass(mass[i]);
         Check.friction(friction[i]);
         double most = Math.min(Check.maxSpeed(maxSpeed[i]), Kernel.FASTEST);
@@ -210,7 +210,6 @@ final class Columns {
     /** Works out what follows from the state of the first n rows, which was written from outside. */
     void follow(int n) {
         forced = carried = pinned = true;
-        how = null;
         for (int i = 0; i < n; i++) update(i);
     }
 

@@ -133,8 +133,8 @@ final class Kernel {
             double a = vx[i], b = vy[i], c = cap[i];
             double over = Math.sqrt(a * a + b * b) - c;
             double k = c / (c + 0.5 * (over + Math.abs(over))); // 1 up to the cap, exactly
-            vx[i] = a * k;
-            vy[i] = b * k;
+            vx[i] = a * k * 0x1p-52 * 0x1p52; // 0 rather than subnormal, and else the same
+            vy[i] = b * k * 0x1p-52 * 0x1p52;
         }
     }
 

@@ -182,7 +182,7 @@ public final class Snapshot {
      */
     public String difference(Snapshot other) {
         requireSaved();
-        other.requireSaved();
+        Check.notNull("other", other).requireSaved();
         Lines lines = new Lines();
         lines.add("integrator", how, other.how);
         lines.add(

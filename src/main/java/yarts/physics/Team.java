@@ -7,20 +7,23 @@ import java.util.concurrent.RejectedExecutionException;
 /** Several threads that step a table together, each a slice of its rows. Rows do not depend on one another. */
 final class Team {
     /** Fewer rows are stepped sooner than a thread wakes. */
-    private static final int LEAST = 16 * 1024;
+    static final int LEAST = 16 * 1024;
 
     private final ForkJoinPool pool;
+    private final int least;
     private final Slice[] slices;
 
-    Team(ForkJoinPool pool) {
+    /** A thread gets no fewer than some least rows. */
+    Team(ForkJoinPool pool, int least) {
         this.pool = pool;
+        this.least = least;
         boolean common = pool == ForkJoinPool.commonPool(); // its parallelism leaves out the caller
         slices = new Slice[pool.getParallelism() + (common ? 1 : 0)];
         for (int i = 0; i < slices.length; i++) slices[i] = new Slice();
     }
 
     void step(Columns table, int rows) {
-        int count = Math.max(1, Math.min(slices.length, rows / LEAST));
+        int count = Math.max(1, Math.min(slices.length, rows / least));
         int blocks = (rows + Columns.BLOCK - 1) / Columns.BLOCK;
         for (int i = count - 1; i >= 0; i--) {
             Slice slice = slices[i];
@@ -30,7 +33,11 @@ final class Team {
             if (i > 0) slice.start();
             else slice.compute();
         }
-        for (int i = 1; i < count; i++) slices[i].join();
+        for (int i = 1; i < count; i++) {
+            slices[i].quietlyJoin();
+            if (slices[i].isCancelled()) slices[i].compute(); // the pool was shut down before its turn came
+            else slices[i].join();
+        }
     }
 
     private final class Slice extends RecursiveAction {

@@ -27,6 +27,7 @@ public class Unit {
      * @param mass in kg, not zero: from 1e-50 to 1e50
      * @throws IllegalArgumentException if the mass is out of range
      */
+    @SuppressWarnings("this-escape") // to Columns.adopt, which only sets the two fields
     public Unit(double mass) {
         Check.mass(mass);
         Columns.adopt(this);

@@ -44,7 +44,9 @@ public final class World implements Iterable<Unit> {
     private final Members members = new Members();
     private final List<Unit> units = Collections.unmodifiableList(members);
     private StepListener listener;
-    private Team team;
+    /** Whose threads step this; null if the caller's alone does. */
+    Team team;
+
     private boolean stepping;
     /** How many units were ever added. */
     private long lastId;
@@ -300,7 +302,7 @@ public final class World implements Iterable<Unit> {
      * @param pool the pool, which remains the caller's to shut down, or null for none
      */
     public void setPool(ForkJoinPool pool) {
-        team = pool == null ? null : new Team(pool);
+        team = pool == null ? null : new Team(pool, Team.LEAST);
     }
 
     /**
@@ -366,6 +368,7 @@ public final class World implements Iterable<Unit> {
      * @param from the snapshot
      * @param factory makes a unit, in no world, for an id that is missing here; its state is then that of the snapshot
      * @throws IllegalArgumentException if nothing was saved into the snapshot
+     * @throws NullPointerException if the factory returns null; nothing is changed then
      * @throws IllegalStateException as in {@link #restore(Snapshot)}, or if the factory returns a unit that is in a world
      *     or that it has returned before; nothing is changed then
      */
@@ -374,7 +377,7 @@ public final class World implements Iterable<Unit> {
         Check.notNull("factory", factory);
         refuseWhileStepping();
         from.requireSaved();
-        members.set(from.world == this ? from.units : unitsFor(from, factory), from.size);
+        members.set(from.world == this ? from.units : unitsFor(from, factory), from.columns.id, from.size);
         from.columns.copyRows(from.size, columns, from.interpolating);
         clock.set(from.clock);
         timestep = clock.timestep();
@@ -443,8 +446,8 @@ public final class World implements Iterable<Unit> {
         }
 
         /** The first n of some units become those of this world; their rows are to be filled. */
-        void set(Unit[] wanted, int n) {
-            if (n == size && begins(wanted, n)) return;
+        void set(Unit[] wanted, long[] ids, int n) {
+            if (n == size && begins(wanted, ids, n)) return;
             for (int i = 0; i < n; i++) {
                 World world = wanted[i].getWorld();
                 if (world != null && world != World.this) {
@@ -461,8 +464,8 @@ public final class World implements Iterable<Unit> {
             modCount++;
         }
 
-        private boolean begins(Unit[] wanted, int n) {
-            for (int i = 0; i < n; i++) if (wanted[i] != list[i]) return false;
+        private boolean begins(Unit[] wanted, long[] ids, int n) {
+            for (int i = 0; i < n; i++) if (wanted[i] != list[i] || ids[i] != columns.id[i]) return false;
             return true;
         }
 

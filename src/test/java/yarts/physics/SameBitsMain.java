@@ -1,12 +1,13 @@
 package yarts.physics;
 
 import java.util.ArrayDeque;
+import java.util.concurrent.ForkJoinPool;
 
 /**
- * Plays a game's worth of everything with each integrator, and prints a hash of all that can be read of it. Run it on any
- * JVM, with any flags: it prints the same.
+ * Plays a game's worth of everything with each integrator, and prints a hash of all its states and of all that can be
+ * read of them. Run it on any JVM, with any flags, on any number of threads: it prints the same.
  *
- * <pre>{@code java -cp … yarts.physics.SameBitsMain <units> <steps>}</pre>
+ * <pre>{@code java -cp … yarts.physics.SameBitsMain <units> <ticks> <threads>}</pre>
  */
 public final class SameBitsMain {
     private static final long GOLDEN = 0x9E3779B97F4A7C15L;
@@ -16,44 +17,66 @@ public final class SameBitsMain {
     private long seed = 1;
     private long hash;
 
-    private SameBitsMain(Integrator how) {
+    private SameBitsMain(Integrator how, ForkJoinPool pool) {
         world = new World(how, Timestep.fixed(60).withMaxSteps(4));
+        if (pool != null) world.team = new Team(pool, 1); // which would leave so small a world to the caller
     }
 
     public static void main(String[] args) {
-        System.out.println(play(Integer.parseInt(args[0]), Integer.parseInt(args[1])));
+        System.out.println(play(Integer.parseInt(args[0]), Integer.parseInt(args[1]), Integer.parseInt(args[2])));
     }
 
     /** {@return a line with a hash for each integrator} */
-    static String play(int units, int steps) {
-        StringBuilder line = new StringBuilder();
-        for (Integrator how : Integrator.values()) {
-            long hash = new SameBitsMain(how).run(units, steps);
-            line.append(how).append(' ').append(Long.toHexString(hash)).append(' ');
+    static String play(int units, int ticks, int threads) {
+        ForkJoinPool pool = threads == 1 ? null : new ForkJoinPool(threads);
+        try {
+            StringBuilder line = new StringBuilder();
+            for (Integrator how : Integrator.values()) {
+                long hash = new SameBitsMain(how, pool).run(units, ticks);
+                line.append(how).append(' ').append(Long.toHexString(hash)).append(' ');
+            }
+            return line.toString().trim();
+        } finally {
+            if (pool != null) pool.shutdown();
         }
-        return line.toString().trim();
     }
 
-    private long run(int units, int steps) {
-        for (int i = 0; i < units; i++) world.add(recruit(new Unit(between(1e-2, 1e5))));
+    private long run(int units, int ticks) {
+        for (int i = 0; i < units; i++) {
+            Unit unit = recruit(new Unit(between(1e-2, 1e5)));
+            world.add(unit.setPosition(signed(1, 1e4), signed(1, 1e4)));
+        }
         world.setStepListener((w, dt) -> {
             for (int i = 0; i < w.size(); i += 16)
                 w.get(i).applyForce(dt, -w.get(i).getVx());
         });
-        while (world.getTick() < steps) {
+        while (world.getTick() < ticks) {
             command();
+            if (next() % 8 == 0) explode(world.get((int) (next() % world.size())), between(1, 1e5), signed(1, 1e6));
             long tick = world.getTick();
-            // Two of seven frames are single steps, one of whose lengths is new.
-            if (next() % 7 == 0) world.step(between(1e-3, 1));
-            else if (next() % 7 == 0) world.step(1 / 60.0);
+            // Time passes in fixed ticks, but for one frame in sixteen, whose step is of a length of its own.
+            if (next() % 16 == 0) world.step(between(1e-3, 1));
+            else if (next() % 4 == 0) world.step(1 / 60.0);
             else world.advance(between(2e-3, 0.1));
+            mix(world.stateHash());
             if (world.getTick() >> 6 != tick >> 6) mixAll();
         }
         mixAll();
         return hash;
     }
 
-    /** What a game does in a frame: gives orders to a quarter of its units; pushes most of these, changes and removes some. */
+    /** Kicks whoever is near a unit away from it, or towards it. */
+    private void explode(Unit bomb, double radius, double power) {
+        double x = bomb.getX(), y = bomb.getY();
+        for (Unit unit : world) {
+            double dx = unit.getX() - x, dy = unit.getY() - y, square = dx * dx + dy * dy;
+            if (!(square < radius * radius)) continue;
+            double k = power / (1 + square); // and so falls as 1/r
+            unit.applyImpulse(k * dx, k * dy);
+        }
+    }
+
+    /** A frame's orders to a quarter of the units: most of these are pushed, some changed, some removed. */
     private void command() {
         for (int i = (int) (next() % 4); i < world.size(); i += 4) {
             Unit unit = world.get(i);
@@ -95,7 +118,6 @@ public final class SameBitsMain {
     }
 
     private void mixAll() {
-        mix(world.getTick());
         mix(world.getTime());
         mix(world.getDroppedTime());
         mix(world.getAlpha());
@@ -108,10 +130,17 @@ public final class SameBitsMain {
             mix(unit.getInterpolatedX());
             mix(unit.getInterpolatedY());
         }
+        float[] xy = new float[2 * world.size()];
+        world.copyPositions(xy, 0);
+        for (float v : xy) mix(v);
     }
 
     private void mix(double v) {
-        hash = scramble(hash * 31 + Double.doubleToRawLongBits(v));
+        mix(Double.doubleToRawLongBits(v));
+    }
+
+    private void mix(long v) {
+        hash = scramble(hash * 31 + v);
     }
 
     /** Not negative. */

@@ -1,7 +1,6 @@
 package yarts.physics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
@@ -12,114 +11,156 @@ import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** The same game has the same bits in the interpreter, from each compiler, with other machine instructions, on other JDKs. */
+/**
+ * The same game has the same bits in the interpreter, from each compiler, with other machine instructions, on other
+ * JDKs and on any number of threads: those written down here, on any machine and in any year.
+ */
 class SameBitsTest {
+    private static final int UNITS = 10_000;
+
+    private static final int SHORT = 30, MEDIUM = 1000, LONG = 10_000;
+
+    /**
+     * What the game comes to after so many ticks. A version that changes a bit of it can neither play the replays of older
+     * ones nor play against them, and must say so. The new lines are what {@link SameBitsMain} prints.
+     */
+    private static final Map<Integer, String> GOLDEN = Map.of(
+            SHORT, "EULER c06b5c0ae9841d2d MIDPOINT c2a5ae85481fa8ca EXACT 8054affcea7a7537",
+            MEDIUM, "EULER 864a289e0a6b401c MIDPOINT 73c358f1a4bd43e5 EXACT 3be367b98a3fa9d9",
+            LONG, "EULER d054eab65e90ce3d MIDPOINT 3ccdf0134453f333 EXACT 1051c45134f6d54");
+
     private static final Path HOME = Path.of(System.getProperty("java.home"));
     /** A JVM as it comes. */
     private static final String DEFAULT = "-XX:+TieredCompilation";
-    /** Only the first compiler, and the second with the oldest instructions. A JVM without such a switch ignores it. */
-    private static final List<String> COMPILERS = List.of(DEFAULT, "-XX:TieredStopAtLevel=1", "-XX:UseAVX=0");
 
-    /** Without the JVM's own code for Math.exp and the like, which would show up one of them that is not StrictMath's. */
+    private static final String FIRST_COMPILER = "-XX:TieredStopAtLevel=1";
+    /** The second compiler with the oldest instructions. A JVM ignores the switch of another processor. */
+    private static final String OLDEST = "-XX:UseAVX=0 -XX:UseSVE=0";
+
+    private static final String INTERPRETER = "-Xint";
+    /** Without the JVM's own code for Math.exp and the like: one that is not StrictMath's would show. */
     private static final String NO_INTRINSICS = "-XX:-UseLibmIntrinsic";
 
-    private static final List<String> SLOW =
-            List.of("-Xint", "-XX:-TieredCompilation", "-XX:-UseSuperWord", NO_INTRINSICS);
+    private static final List<String> SWITCHES = List.of(
+            FIRST_COMPILER,
+            OLDEST,
+            "-XX:UseAVX=2",
+            "-XX:-UseSuperWord",
+            "-XX:-UseFMA",
+            NO_INTRINSICS + " -XX:-TieredCompilation");
 
     @Test
-    void everyCompilerGivesTheSameBits() throws Exception {
-        assertSame(run(HOME, COMPILERS, 10_000, 1000), COMPILERS.size());
+    void thisJvmGivesTheGoldenBits() {
+        assertEquals(GOLDEN.get(MEDIUM), SameBitsMain.play(UNITS, MEDIUM, 3));
     }
 
     @Test
-    void theInterpreterGivesTheSameBits() throws Exception {
-        Map<String, String> lines = run(HOME, List.of("-Xint", NO_INTRINSICS, DEFAULT), 1000, 300);
-        lines.put("this JVM", SameBitsMain.play(1000, 300));
-        assertSame(lines, 4);
+    void everyCompilerGivesTheGoldenBits() throws Exception {
+        assertGolden(List.of(
+                new Child(HOME, FIRST_COMPILER, MEDIUM, 1),
+                new Child(HOME, OLDEST, MEDIUM, 2),
+                new Child(HOME, INTERPRETER + ' ' + NO_INTRINSICS, SHORT, 1)));
     }
 
     @Test
-    void otherJdksGiveTheSameBits() throws Exception {
-        Set<Path> others = otherJdks();
-        if (others.isEmpty()) System.out.println("No second JDK beside this one: its bits are not compared");
-        assumeFalse(others.isEmpty(), "no second JDK");
-        Map<String, String> lines = run(HOME, List.of(DEFAULT), 10_000, 1000);
-        for (Path home : others) lines.putAll(run(home, List.of(DEFAULT), 10_000, 1000));
-        assertSame(lines, others.size() + 1);
+    void otherJdksGiveTheGoldenBits() throws Exception {
+        List<Child> children = new ArrayList<>();
+        for (Path home : otherJdks()) children.add(new Child(home, DEFAULT, MEDIUM, 7));
+        if (children.isEmpty()) System.out.println("No second JDK beside this one: its bits are not compared");
+        assumeFalse(children.isEmpty(), "no second JDK");
+        assertGolden(children);
     }
 
+    /** The whole game on every JDK as it comes; a tenth with each switch; a little of it in the interpreter. */
     @Test
     @Tag("long")
-    void everyJdkGivesTheSameBitsHoweverItRuns() throws Exception {
-        List<String> flags = new ArrayList<>(COMPILERS);
-        flags.addAll(SLOW);
-        Map<String, String> lines = run(HOME, flags, 10_000, 1000);
-        for (Path home : otherJdks()) lines.putAll(run(home, flags, 10_000, 1000));
-        assertSame(lines, flags.size() * (1 + otherJdks().size()));
+    void everyJdkGivesTheGoldenBitsHoweverItRuns() throws Exception {
+        Set<Path> homes = otherJdks();
+        homes.add(HOME);
+        List<Child> children = new ArrayList<>();
+        for (Path home : homes) {
+            for (int threads : new int[] {1, 2, 4, 7}) {
+                children.add(new Child(home, DEFAULT, LONG, threads));
+                for (String flags : SWITCHES) children.add(new Child(home, flags, MEDIUM, threads));
+                children.add(new Child(home, INTERPRETER, SHORT, threads));
+            }
+        }
+        assertGolden(children);
     }
 
     @Test
     void theHashSeesEveryStepAndUnit() {
-        assertEquals(SameBitsMain.play(50, 100), SameBitsMain.play(50, 100));
-        assertNotEquals(SameBitsMain.play(50, 100), SameBitsMain.play(50, 110));
-        assertNotEquals(SameBitsMain.play(50, 100), SameBitsMain.play(51, 100));
-        assertTrue(SameBitsMain.play(50, 100).matches("EULER [0-9a-f]+ MIDPOINT [0-9a-f]+ EXACT [0-9a-f]+"));
+        assertEquals(SameBitsMain.play(50, 100, 1), SameBitsMain.play(50, 100, 1));
+        assertNotEquals(SameBitsMain.play(50, 100, 1), SameBitsMain.play(50, 110, 1));
+        assertNotEquals(SameBitsMain.play(50, 100, 1), SameBitsMain.play(51, 100, 1));
+        assertTrue(SameBitsMain.play(50, 100, 1).matches("EULER [0-9a-f]+ MIDPOINT [0-9a-f]+ EXACT [0-9a-f]+"));
     }
 
-    private static void assertSame(Map<String, String> lines, int count) {
-        assertEquals(count, lines.size());
-        Set<String> distinct = new LinkedHashSet<>(lines.values());
-        String table = lines.entrySet().stream()
-                .map(e -> e.getValue() + "  " + e.getKey())
-                .collect(Collectors.joining("\n", "\n", "\n"));
-        assertEquals(1, distinct.size(), table);
-        assertFalse(distinct.contains(""), table);
-    }
-
-    /** Runs a JVM for each flag, all at the same time; returns what each printed. */
-    private static Map<String, String> run(Path home, List<String> flags, int units, int steps) throws Exception {
-        Map<String, Process> running = new LinkedHashMap<>();
+    /** Runs JVMs, as many at a time as there are processors. */
+    private static void assertGolden(List<Child> children) throws Exception {
+        ExecutorService processors =
+                Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
         try {
-            for (String flag : flags) running.put(flag + " on " + home, start(home, flag, units, steps));
-            Map<String, String> lines = new LinkedHashMap<>();
-            for (Map.Entry<String, Process> child : running.entrySet()) {
-                String line = new String(child.getValue().getInputStream().readAllBytes()).trim();
-                assertEquals(0, child.getValue().waitFor(), () -> child.getKey() + ": " + line);
-                lines.put(child.getKey(), line);
-            }
-            return lines;
+            StringBuilder wrong = new StringBuilder();
+            for (Future<String> child : processors.invokeAll(children)) wrong.append(child.get());
+            assertEquals("", wrong.toString());
         } finally {
-            running.values().forEach(Process::destroy);
+            processors.shutdownNow();
         }
     }
 
-    private static Process start(Path home, String flag, int units, int steps) throws Exception {
-        ProcessBuilder builder = new ProcessBuilder(
-                java(home).toString(),
-                "-XX:+UnlockDiagnosticVMOptions",
-                "-XX:+IgnoreUnrecognizedVMOptions",
-                flag,
-                "-cp",
-                classes(World.class) + File.pathSeparator + classes(SameBitsMain.class),
-                SameBitsMain.class.getName(),
-                String.valueOf(units),
-                String.valueOf(steps));
-        return builder.redirectError(ProcessBuilder.Redirect.DISCARD).start();
+    /** A JVM that plays the game. */
+    private static final class Child implements Callable<String> {
+        private final Path home;
+        private final String flags;
+        private final int ticks, threads;
+
+        Child(Path home, String flags, int ticks, int threads) {
+            this.home = home;
+            this.flags = flags;
+            this.ticks = ticks;
+            this.threads = threads;
+        }
+
+        /** {@return what is wrong with what it printed} */
+        @Override
+        public String call() throws Exception {
+            List<String> command = new ArrayList<>(List.of(
+                    java(home).toString(), "-XX:+UnlockDiagnosticVMOptions", "-XX:+IgnoreUnrecognizedVMOptions"));
+            command.addAll(List.of(flags.split(" ")));
+            command.addAll(List.of("-cp", classes(World.class) + File.pathSeparator + classes(SameBitsMain.class)));
+            command.add(SameBitsMain.class.getName());
+            for (int arg : new int[] {UNITS, ticks, threads}) command.add(String.valueOf(arg));
+            Process process = new ProcessBuilder(command)
+                    .redirectError(ProcessBuilder.Redirect.DISCARD)
+                    .start();
+            try {
+                String line = new String(process.getInputStream().readAllBytes()).trim();
+                return process.waitFor() == 0 && line.equals(GOLDEN.get(ticks))
+                        ? ""
+                        : String.format("%d ticks: %s: %s on %d threads of %s%n", ticks, line, flags, threads, home);
+            } finally {
+                process.destroy();
+            }
+        }
     }
 
-    private static Path classes(Class<?> type) throws URISyntaxException {
+    /** {@return the folder or jar that a class comes from} */
+    static Path classes(Class<?> type) throws URISyntaxException {
         return Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI());
     }
 
