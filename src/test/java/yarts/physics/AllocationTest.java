@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -96,6 +97,29 @@ class AllocationTest {
             if (i % 100 == 0) unit.setPosition(i, -i).setVelocity(0, i).setMaxSpeed(i);
         }
         world.advance(elapsed);
+    }
+
+    /** With forces held, impulses carried and steps to interpolate over; and back again every other time. */
+    @ParameterizedTest
+    @EnumSource
+    void savingRestoringAndHashingAllocateNothing(Integrator how) {
+        for (Timestep timestep : List.of(Timestep.fixed(60), Timestep.variable(0.01))) {
+            World world = crowd(how, timestep);
+            Snapshot before = new Snapshot(), after = new Snapshot();
+            long[] count = {0, 0};
+            assertEquals(0, fewestBytes(() -> {
+                world.get((int) (count[0]++ % UNITS)).applyForce(1, 1);
+                world.save(before);
+                frame(world, 0.004 * (count[0] % 7));
+                world.save(after);
+                long hash = world.stateHash();
+                world.restore(before);
+                if (world.stateHash() != hash) count[1]++;
+                if (count[0] % 2 == 0) world.restore(after);
+            }));
+            assertEquals(count[0], count[1]);
+            assertTrue(world.getTick() > 300);
+        }
     }
 
     @Test
