@@ -1,15 +1,10 @@
 package yarts.physics;
 
-import java.util.AbstractList;
-import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.Iterator;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
-import java.util.RandomAccess;
 import java.util.Set;
 import java.util.concurrent.ForkJoinPool;
 import java.util.function.LongFunction;
@@ -41,7 +36,7 @@ public final class World implements Iterable<Unit> {
     private Integrator how;
     private Timestep timestep;
     private final Columns columns = new Columns(this, 16);
-    private final Members members = new Members();
+    private final Members members = new Members(columns);
     private final List<Unit> units = Collections.unmodifiableList(members);
     private StepListener listener;
     /** Whose threads step this; null if the caller's alone does. */
@@ -50,8 +45,6 @@ public final class World implements Iterable<Unit> {
     private boolean stepping;
     /** How many units were ever added. */
     private long lastId;
-    /** The units by id; null until somebody asks. */
-    private Map<Long, Unit> byId;
     /** Whether the last step was one to interpolate over. */
     private boolean interpolating;
 
@@ -86,7 +79,7 @@ public final class World implements Iterable<Unit> {
             throw new IllegalStateException("a unit can be in one world only, and this one is in "
                     + (contains(unit) ? "this world already: " : "another: ") + unit);
         }
-        members.append(unit);
+        members.append(unit, ++lastId);
         return unit;
     }
 
@@ -119,7 +112,7 @@ public final class World implements Iterable<Unit> {
 
     /** {@return the number of units} */
     public int size() {
-        return members.size;
+        return members.size();
     }
 
     /**
@@ -140,11 +133,7 @@ public final class World implements Iterable<Unit> {
      * @see Unit#getId()
      */
     public Unit find(long id) {
-        if (byId == null) {
-            byId = new HashMap<>();
-            for (Unit unit : this) byId.put(unit.getId(), unit);
-        }
-        return byId.get(id);
+        return members.find(id);
     }
 
     /** {@return the units in order: a live view that cannot be modified} */
@@ -323,7 +312,8 @@ public final class World implements Iterable<Unit> {
     /**
      * {@return a hash of all that this world's future depends on} That is the integrator, the timestep, where the world
      * stands in time, its units' ids, order and state, and the forces held for later. Two worlds that were treated alike
-     * have the same hash, on any JVM and machine; if but one bit differs, so does the hash. It creates no garbage.
+     * have the same hash, on any JVM and machine. Two that differ in a single bit have not, and two that differ in more all
+     * but never. It creates no garbage.
      *
      * @see Snapshot#difference
      */
@@ -343,7 +333,7 @@ public final class World implements Iterable<Unit> {
     public void save(Snapshot into) {
         Check.notNull("into", into);
         refuseWhileStepping();
-        into.take(this, how, clock, lastId, interpolating, columns, members.list, size());
+        into.take(this, how, clock, lastId, interpolating, columns, members.array(), size());
     }
 
     /**
@@ -424,106 +414,5 @@ public final class World implements Iterable<Unit> {
 
     double interpolate(double previous, double present) {
         return interpolating ? previous + (present - previous) * clock.alpha() : present;
-    }
-
-    /** The handles of the rows. Its iterator fails fast, and its remove moves the last unit into the gap. */
-    private final class Members extends AbstractList<Unit> implements RandomAccess {
-        private Unit[] list = new Unit[16];
-        private int size;
-
-        void append(Unit unit) {
-            reserve(size + 1);
-            unit.columns.copyRow(unit.row, columns, size);
-            columns.id[size] = ++lastId;
-            place(unit, columns, size++);
-            if (byId != null) byId.put(lastId, unit);
-            modCount++;
-        }
-
-        private void reserve(int n) {
-            columns.reserve(n);
-            if (n > list.length) list = Arrays.copyOf(list, columns.capacity());
-        }
-
-        /** The first n of some units become those of this world; their rows are to be filled. */
-        void set(Unit[] wanted, long[] ids, int n) {
-            if (n == size && begins(wanted, ids, n)) return;
-            for (int i = 0; i < n; i++) {
-                World world = wanted[i].getWorld();
-                if (world != null && world != World.this) {
-                    throw new IllegalStateException("a unit of the snapshot is in another world by now: " + wanted[i]);
-                }
-            }
-            for (int i = 0; i < n; i++) if (World.this.contains(wanted[i])) list[wanted[i].row] = null; // it stays
-            for (int i = 0; i < size; i++) if (list[i] != null) release(list[i]);
-            Arrays.fill(list, 0, size, null);
-            reserve(n);
-            for (int i = 0; i < n; i++) place(wanted[i], columns, i);
-            size = n;
-            byId = null;
-            modCount++;
-        }
-
-        private boolean begins(Unit[] wanted, long[] ids, int n) {
-            for (int i = 0; i < n; i++) if (wanted[i] != list[i] || ids[i] != columns.id[i]) return false;
-            return true;
-        }
-
-        @Override
-        public Unit remove(int index) {
-            Unit unit = get(index);
-            if (byId != null) byId.remove(unit.getId());
-            release(unit);
-            Unit last = list[--size];
-            list[size] = null;
-            if (last != unit) {
-                columns.copyRow(size, columns, index);
-                place(last, columns, index);
-            }
-            modCount++;
-            return unit;
-        }
-
-        @Override
-        public void clear() {
-            for (int i = 0; i < size; i++) release(list[i]);
-            Arrays.fill(list, 0, size, null);
-            size = 0;
-            byId = null;
-            modCount++;
-        }
-
-        private void release(Unit unit) {
-            int row = unit.row;
-            Columns.adopt(unit);
-            columns.copyRow(row, unit.columns, unit.row);
-        }
-
-        private void place(Unit unit, Columns table, int row) {
-            list[row] = unit;
-            unit.columns = table;
-            unit.row = row;
-        }
-
-        @Override
-        public Unit get(int index) {
-            Objects.checkIndex(index, size);
-            return list[index];
-        }
-
-        @Override
-        public int size() {
-            return size;
-        }
-
-        @Override
-        public boolean contains(Object o) {
-            return indexOf(o) >= 0;
-        }
-
-        @Override
-        public int indexOf(Object o) {
-            return o instanceof Unit && World.this.contains((Unit) o) ? ((Unit) o).row : -1;
-        }
     }
 }

@@ -68,7 +68,7 @@ class BytecodeTest {
             List<Path> classes =
                     files.filter(p -> p.toString().endsWith(".class")).toList();
             String names = classes.toString();
-            for (String name : new String[] {"Kernel", "World$Members", "Clock$Sum", "Team$Slice"}) {
+            for (String name : new String[] {"Kernel", "Members", "Clock$Sum", "Team$Slice"}) {
                 assertTrue(names.contains(name + ".class"), names);
             }
             List<String> offences = new ArrayList<>();
