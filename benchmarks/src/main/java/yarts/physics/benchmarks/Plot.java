@@ -53,7 +53,7 @@ final class Plot {
         XYStyler styler = chart.getStyler();
         styler.setXAxisLogarithmic(true).setYAxisLogarithmic(true);
         styler.setXAxisDecimalPattern("#,###").setYAxisDecimalPattern("#,###");
-        styler.setYAxisMin(1.0).setLegendPosition(LegendPosition.OutsideE);
+        styler.setYAxisMin(1.0).setYAxisMax(2000.0).setLegendPosition(LegendPosition.OutsideE);
         styler.setChartBackgroundColor(Color.WHITE)
                 .setPlotBorderVisible(false)
                 .setChartTitleBoxVisible(false)
