@@ -64,6 +64,11 @@ final class Columns {
     private boolean framed;
     /** Whether any row may have a maxSpeed below rest. */
     private boolean pinned;
+    /**
+     * By block of a world's table: for how many more steps its rows are calm, in the sense of Kernel. If negative, they
+     * are not, but none is above its cap; 0 if nothing is known.
+     */
+    byte[] calm;
     /** How many rows of a nursery are taken. */
     private final AtomicInteger taken = new AtomicInteger();
 
@@ -107,6 +112,7 @@ final class Columns {
         }
         all = a;
         id = Arrays.copyOf(id, capacity);
+        calm = new byte[capacity / BLOCK + 1];
         int i = 0;
         x = a[i++];
         y = a[i++];
@@ -146,6 +152,7 @@ final class Columns {
     /** Row i of this table becomes row j of another, which may be this one. */
     void copyRow(int i, Columns to, int j) {
         to.id[j] = id[i];
+        to.disturb(j);
         copyCells(i, to, j, 0, to == this ? FORCES : COEFFICIENTS, true);
         copyCells(i, to, j, FORCES, CARRIES, forced);
         copyCells(i, to, j, CARRIES, PREVIOUS, carried);
@@ -167,6 +174,7 @@ final class Columns {
     /** The first n rows of another table become those of this one; without the frame that is in hand, if one is. */
     void copyRows(int n, Columns to, boolean interpolating) {
         to.reserve(n);
+        Arrays.fill(to.calm, (byte) 0);
         System.arraycopy(id, 0, to.id, 0, n);
         copy(0, FORCES, n, to, true);
         copy(FORCES, CARRIES, n, to, forced);
@@ -240,6 +248,11 @@ final class Columns {
         System.arraycopy(y, from, previousY, from, to - from);
     }
 
+    /** Follows a change of a row's velocity, cap or decay. */
+    void disturb(int i) {
+        calm[i / BLOCK] = 0;
+    }
+
     void clearForces(int i) {
         fx[i] = fy[i] = frameX[i] = frameY[i] = carryX[i] = carryY[i] = 0;
     }
@@ -248,13 +261,13 @@ final class Columns {
     void update(int i) {
         cap[i] = Math.max(Kernel.REST, Math.min(maxSpeed[i] * (1 - MARGIN), TOP));
         pinned |= maxSpeed[i] < Kernel.REST;
+        disturb(i);
         if (how != null) coefficients(i, i + 1, dt, how);
     }
 
     private void coefficients(int from, int to, double dt, Integrator how) {
         Kernel.coefficients(this, from, to, dt, how);
-        if (!pinned) return;
-        for (int i = from; i < to; i++) {
+        for (int i = from; pinned && i < to; i++) {
             if (maxSpeed[i] < Kernel.REST) decay[i] = gain[i] = 0; // nothing moves it
         }
     }
@@ -278,11 +291,16 @@ final class Columns {
     void stepRows(int from, int to) {
         for (int i = from; i < to; i += BLOCK) {
             int end = Math.min(i + BLOCK, to);
-            if (renew) coefficients(i, end, dt, how);
+            if (renew) renew(i, end);
             if (spread) spreadRows(i, end);
             if (settle) settle(i, end);
             Kernel.step(this, i, end, dt, how);
         }
+    }
+
+    private void renew(int from, int to) {
+        coefficients(from, to, dt, how);
+        if (calm[from / BLOCK] > 0 && Kernel.disturbed(decay, from, to)) disturb(from);
     }
 
     /** Steps row i alone, whatever step the table's coefficients are for. */

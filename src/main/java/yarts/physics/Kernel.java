@@ -24,23 +24,93 @@ final class Kernel {
 
     private static final double HALF_OVER_REST = 0.5 / REST;
 
+    /**
+     * Rows are calm if none is above its cap, each velocity component is 0 or at least CALM, and each decay is at least
+     * CALM_DECAY. Then, for so many steps without forces, neither the cap nor rest would change anything, and they are
+     * left out: no velocity grows, and none gets below REST.
+     */
+    private static final byte CALM_STEPS = 60;
+
+    private static final double CALM_DECAY = 0.5, CALM = REST * 0x1p60;
+
     private Kernel() {}
 
-    static void step(Columns c, int from, int to, double dt, Integrator how) {
-        if (how == Integrator.EULER) euler(c, from, to, dt);
-        else average(c, from, to, dt, how);
+    /**
+     * A part of a step, for some rows. HotSpot vectorises none of its loops where many of them meet in one method, as
+     * they would where a step is inlined into a loop of the game; but it does not inline a call that leads to many
+     * implementations. So each pass is compiled by itself.
+     */
+    private interface Pass {
+        void run(Columns c, int from, int to, double dt);
     }
 
-    /** A step with lag 1: the position moves by the velocity the step starts with. */
-    private static void euler(Columns c, int from, int to, double dt) {
-        if (c.forced) {
-            moveThenPush(c.x, c.vx, c.decay, c.gain, c.fx, from, to, dt);
-            moveThenPush(c.y, c.vy, c.decay, c.gain, c.fy, from, to, dt);
-        } else {
-            moveThenCoast(c.x, c.vx, c.decay, from, to, dt);
-            moveThenCoast(c.y, c.vy, c.decay, from, to, dt);
+    private static final Pass CAP = (c, from, to, dt) -> cap(c, c.vx, c.vy, from, to);
+    private static final Pass CAP_NEXT = (c, from, to, dt) -> cap(c, c.fx, c.fy, from, to);
+
+    private static final Pass
+            MOVE_THEN_PUSH_X = (c, from, to, dt) -> moveThenPush(c.x, c.vx, c.decay, c.gain, c.fx, from, to, dt),
+            MOVE_THEN_PUSH_Y = (c, from, to, dt) -> moveThenPush(c.y, c.vy, c.decay, c.gain, c.fy, from, to, dt),
+            COAST_X = (c, from, to, dt) -> coast(c.x, c.vx, c.decay, from, to, dt),
+            COAST_Y = (c, from, to, dt) -> coast(c.y, c.vy, c.decay, from, to, dt),
+            GLIDE_X = (c, from, to, dt) -> glide(c.x, c.vx, c.decay, from, to, dt),
+            GLIDE_Y = (c, from, to, dt) -> glide(c.y, c.vy, c.decay, from, to, dt);
+    private static final Pass PUSH_X = (c, from, to, dt) -> push(c.vx, c.decay, c.gain, c.fx, from, to),
+            PUSH_Y = (c, from, to, dt) -> push(c.vy, c.decay, c.gain, c.fy, from, to),
+            MOVE_BY_MEAN_X = (c, from, to, dt) -> moveByMean(c.x, c.vx, c.fx, from, to, dt / 2),
+            MOVE_BY_MEAN_Y = (c, from, to, dt) -> moveByMean(c.y, c.vy, c.fy, from, to, dt / 2),
+            COAST_BY_MEAN_X = (c, from, to, dt) -> coastByMean(c.x, c.vx, c.decay, from, to, dt / 2),
+            COAST_BY_MEAN_Y = (c, from, to, dt) -> coastByMean(c.y, c.vy, c.decay, from, to, dt / 2),
+            GLIDE_BY_MEAN_X = (c, from, to, dt) -> glideByMean(c.x, c.vx, c.decay, from, to, dt / 2),
+            GLIDE_BY_MEAN_Y = (c, from, to, dt) -> glideByMean(c.y, c.vy, c.decay, from, to, dt / 2);
+    private static final Pass MOVE_X = (c, from, to, dt) -> move(c.x, c.lag, c.vx, c.fx, from, to, dt),
+            MOVE_Y = (c, from, to, dt) -> move(c.y, c.lag, c.vy, c.fy, from, to, dt),
+            COAST_EXACTLY_X = (c, from, to, dt) -> coastExactly(c.x, c.lag, c.vx, c.decay, from, to, dt),
+            COAST_EXACTLY_Y = (c, from, to, dt) -> coastExactly(c.y, c.lag, c.vy, c.decay, from, to, dt),
+            GLIDE_EXACTLY_X = (c, from, to, dt) -> glideExactly(c.x, c.lag, c.vx, c.decay, from, to, dt),
+            GLIDE_EXACTLY_Y = (c, from, to, dt) -> glideExactly(c.y, c.lag, c.vy, c.decay, from, to, dt);
+
+    /** By integrator: any step; one without forces, no row above its cap; and one without forces, all rows calm. */
+    private static final Pass[][][] STEPS = {
+        {
+            {MOVE_THEN_PUSH_X, MOVE_THEN_PUSH_Y, CAP},
+            {COAST_X, COAST_Y},
+            {GLIDE_X, GLIDE_Y}
+        },
+        {
+            {PUSH_X, PUSH_Y, CAP_NEXT, MOVE_BY_MEAN_X, MOVE_BY_MEAN_Y},
+            {COAST_BY_MEAN_X, COAST_BY_MEAN_Y},
+            {GLIDE_BY_MEAN_X, GLIDE_BY_MEAN_Y}
+        },
+        {
+            {PUSH_X, PUSH_Y, CAP_NEXT, MOVE_X, MOVE_Y},
+            {COAST_EXACTLY_X, COAST_EXACTLY_Y},
+            {GLIDE_EXACTLY_X, GLIDE_EXACTLY_Y}
         }
-        cap(c, c.vx, c.vy, from, to);
+    };
+
+    static void step(Columns c, int from, int to, double dt, Integrator how) {
+        int block = from / Columns.BLOCK, calm = c.forced ? 0 : c.calm[block];
+        for (Pass pass : STEPS[how.ordinal()][calm == 0 ? 0 : calm < 0 ? 1 : 2]) pass.run(c, from, to, dt);
+        c.calm[block] = (byte) (calm != 0 ? calm - Integer.signum(calm) : c.forced ? 0 : calm(c, from, to));
+    }
+
+    /** For how many steps without forces rows are calm; negative, if it is that many until it is worth to look again. */
+    private static int calm(Columns c, int from, int to) {
+        if (anyAbove(c.vx, c.vy, c.cap, from, to)) return 0;
+        for (int i = from; i < to; i++) {
+            if (slow(c.vx[i]) || slow(c.vy[i]) || c.decay[i] < CALM_DECAY) return -CALM_STEPS;
+        }
+        return CALM_STEPS;
+    }
+
+    private static boolean slow(double v) {
+        return Math.abs(v) < CALM && v != 0;
+    }
+
+    /** Whether rows that were calm are so no longer, since their decay is another. */
+    static boolean disturbed(double[] decay, int from, int to) {
+        for (int i = from; i < to; i++) if (decay[i] < CALM_DECAY) return true;
+        return false;
     }
 
     private static void moveThenPush(
@@ -52,38 +122,22 @@ final class Kernel {
         }
     }
 
-    private static void moveThenCoast(double[] x, double[] v, double[] decay, int from, int to, double dt) {
+    private static void coast(double[] x, double[] v, double[] decay, int from, int to, double dt) {
         for (int i = from; i < to; i++) {
             x[i] += dt * v[i];
             v[i] = rest(decay[i] * v[i]);
         }
     }
 
-    /** A step that needs both velocities: the new one waits in the force, which is used up by then. */
-    private static void average(Columns c, int from, int to, double dt, Integrator how) {
-        if (c.forced) {
-            push(c.vx, c.decay, c.gain, c.fx, from, to);
-            push(c.vy, c.decay, c.gain, c.fy, from, to);
-        } else {
-            coast(c.vx, c.decay, c.fx, from, to);
-            coast(c.vy, c.decay, c.fy, from, to);
-        }
-        cap(c, c.fx, c.fy, from, to);
-        if (how == Integrator.MIDPOINT) {
-            moveByMean(c.x, c.vx, c.fx, from, to, dt / 2);
-            moveByMean(c.y, c.vy, c.fy, from, to, dt / 2);
-        } else {
-            move(c.x, c.lag, c.vx, c.fx, from, to, dt);
-            move(c.y, c.lag, c.vy, c.fy, from, to, dt);
+    private static void glide(double[] x, double[] v, double[] decay, int from, int to, double dt) {
+        for (int i = from; i < to; i++) {
+            x[i] += dt * v[i];
+            v[i] = decay[i] * v[i];
         }
     }
 
     private static void push(double[] v, double[] decay, double[] gain, double[] f, int from, int to) {
         for (int i = from; i < to; i++) f[i] = rest(decay[i] * v[i] + gain[i] * f[i]);
-    }
-
-    private static void coast(double[] v, double[] decay, double[] next, int from, int to) {
-        for (int i = from; i < to; i++) next[i] = rest(decay[i] * v[i]);
     }
 
     private static void moveByMean(double[] x, double[] v, double[] next, int from, int to, double half) {
@@ -102,6 +156,40 @@ final class Kernel {
         }
     }
 
+    private static void coastByMean(double[] x, double[] v, double[] decay, int from, int to, double half) {
+        for (int i = from; i < to; i++) {
+            double next = rest(decay[i] * v[i]);
+            x[i] += half * (v[i] + next);
+            v[i] = next;
+        }
+    }
+
+    private static void glideByMean(double[] x, double[] v, double[] decay, int from, int to, double half) {
+        for (int i = from; i < to; i++) {
+            double next = decay[i] * v[i];
+            x[i] += half * (v[i] + next);
+            v[i] = next;
+        }
+    }
+
+    private static void coastExactly(
+            double[] x, double[] lag, double[] v, double[] decay, int from, int to, double dt) {
+        for (int i = from; i < to; i++) {
+            double next = rest(decay[i] * v[i]);
+            x[i] += dt * (lag[i] * v[i] + (1 - lag[i]) * next);
+            v[i] = next;
+        }
+    }
+
+    private static void glideExactly(
+            double[] x, double[] lag, double[] v, double[] decay, int from, int to, double dt) {
+        for (int i = from; i < to; i++) {
+            double next = decay[i] * v[i];
+            x[i] += dt * (lag[i] * v[i] + (1 - lag[i]) * next);
+            v[i] = next;
+        }
+    }
+
     /**
      * v, or less where v is below REST: there it is multiplied by v/REST, which takes it to 0 within a few steps, however
      * slowly it decays; and 0 is never −0.0. Arithmetic on the subnormal numbers in which v would end otherwise is tens
@@ -112,7 +200,7 @@ final class Kernel {
         return v - v * (a + Math.abs(a)); // a + |a| is max(0, 1 − |v|/REST): 0 for all but the slowest
     }
 
-    /** The speed cap for a block. One in which nobody is above it is left alone, which is the same to the bit. */
+    /** The speed cap for rows. If none is above it they are left alone, which is the same to the bit. */
     private static void cap(Columns c, double[] vx, double[] vy, int from, int to) {
         if (anyAbove(vx, vy, c.cap, from, to)) cap(vx, vy, c.cap, from, to);
     }

@@ -158,6 +158,7 @@ public class Unit {
     }
 
     private void cap() {
+        columns.disturb(row);
         if (getSpeed() > Math.min(getMaxSpeed(), Columns.TOP)) {
             Kernel.cap(columns.vx, columns.vy, columns.cap, row, row + 1);
         }

@@ -36,8 +36,8 @@ final class Limit {
         double[] force = new double[ROUNDS], both = new double[ROUNDS];
         for (int r = -WARM_UP; r < ROUNDS; r++) {
             int i = Math.max(r, 0);
-            cached[i] = time(units, k -> world.step(DT));
-            computed[i] = time(units, k -> world.step(k % 2 == 0 ? DT / 2 : DT));
+            cached[i] = time(units, k -> step(army, world, DT));
+            computed[i] = time(units, k -> step(army, world, k % 2 == 0 ? DT / 2 : DT));
             force[i] = time(units, k -> Workload.push(world));
             world.step(0); // uses the forces up, and the next one is as the steps measured
             world.step(DT);
@@ -45,7 +45,6 @@ final class Limit {
                 Workload.push(world);
                 world.step(DT);
             });
-            army.start(world);
         }
         return String.format(
                 Locale.ROOT,
@@ -55,6 +54,11 @@ final class Limit {
                 median(computed),
                 median(force),
                 median(both));
+    }
+
+    private static void step(Army army, World world, double dt) {
+        army.keepMoving(world);
+        world.step(dt);
     }
 
     /** Runs work on all units again and again; returns ns per unit. */

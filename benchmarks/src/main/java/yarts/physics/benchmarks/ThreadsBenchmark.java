@@ -16,12 +16,14 @@ public class ThreadsBenchmark extends Workload {
     @Param({"1", "2"})
     public int threads;
 
+    private Army army;
     private World world;
     private ForkJoinPool pool;
 
     @Setup
     public void create() {
-        world = Army.of(units).world(Integrator.EULER);
+        army = Army.of(units);
+        world = army.world(Integrator.EULER);
         pool = new ForkJoinPool(threads);
         world.setPool(pool);
         collect();
@@ -34,6 +36,7 @@ public class ThreadsBenchmark extends Workload {
 
     @Benchmark
     public void step() {
+        army.keepMoving(world);
         world.step(DT);
     }
 }
