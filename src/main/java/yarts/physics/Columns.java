@@ -53,7 +53,7 @@ final class Columns {
     double[] mass, friction, maxSpeed;
     /** The maxSpeed less {@link #MARGIN}, and never 0 nor infinite, to spare the kernel branches. */
     double[] cap;
-    /** The coefficients of a step: decay(z), gain(z) dt/m and 1 − weight(z), as in {@link Integrator}. */
+    /** See {@link Coefficients}. */
     double[] decay, gain, lag;
 
     /** Whether any row may have a force for the next step; if not, fx and fy are 0 throughout. */
@@ -266,7 +266,7 @@ final class Columns {
     }
 
     private void coefficients(int from, int to, double dt, Integrator how) {
-        Kernel.coefficients(this, from, to, dt, how);
+        Coefficients.of(this, from, to, dt, how);
         for (int i = from; pinned && i < to; i++) {
             if (maxSpeed[i] < Kernel.REST) decay[i] = gain[i] = 0; // nothing moves it
         }
@@ -306,7 +306,7 @@ final class Columns {
     /** Steps row i alone, whatever step the table's coefficients are for. */
     void stepOne(int i, double dt, Integrator how) {
         coefficients(i, i + 1, dt, how);
-        Kernel.step(this, i, i + 1, dt, how);
+        Kernel.stepRow(this, i, dt, how);
         update(i);
         settle(i, i + 1);
     }

@@ -6,7 +6,7 @@ package yarts.physics;
  * <pre>{@code
  * v' = decay v + gain F             decay = decay(z), gain = gain(z) dt/m of Integrator
  * v' = v' cap / max(|v'|, cap)      the speed cap: keeps the direction
- * x' = x + dt (lag v + (1 − lag) v')  lag = 1 − weight(z)
+ * x' = x + dt (v' + lag (v − v'))  lag = 1 − weight(z)
  * F  = 0
  * }</pre>
  *
@@ -33,6 +33,12 @@ final class Kernel {
 
     private static final double CALM_DECAY = 0.5, CALM = REST * 0x1p60;
 
+    /**
+     * Fewer rows are stepped one by one. Passes take longer then; and where HotSpot has seen loops end after a few rounds,
+     * it vectorises them no more, not even for the thousands that come later.
+     */
+    static final int FEW = 16;
+
     private Kernel() {}
 
     /**
@@ -44,8 +50,8 @@ final class Kernel {
         void run(Columns c, int from, int to, double dt);
     }
 
-    private static final Pass CAP = (c, from, to, dt) -> cap(c, c.vx, c.vy, from, to);
-    private static final Pass CAP_NEXT = (c, from, to, dt) -> cap(c, c.fx, c.fy, from, to);
+    private static final Pass CAP = (c, from, to, dt) -> cap(c.vx, c.vy, c.cap, from, to);
+    private static final Pass CAP_NEXT = (c, from, to, dt) -> cap(c.fx, c.fy, c.cap, from, to);
 
     private static final Pass
             MOVE_THEN_PUSH_X = (c, from, to, dt) -> moveThenPush(c.x, c.vx, c.decay, c.gain, c.fx, from, to, dt),
@@ -89,9 +95,32 @@ final class Kernel {
     };
 
     static void step(Columns c, int from, int to, double dt, Integrator how) {
+        if (to - from < FEW) {
+            for (int i = from; i < to; i++) stepRow(c, i, dt, how);
+            return;
+        }
         int block = from / Columns.BLOCK, calm = c.forced ? 0 : c.calm[block];
         for (Pass pass : STEPS[how.ordinal()][calm == 0 ? 0 : calm < 0 ? 1 : 2]) pass.run(c, from, to, dt);
         c.calm[block] = (byte) (calm != 0 ? calm - Integer.signum(calm) : c.forced ? 0 : calm(c, from, to));
+    }
+
+    static void stepRow(Columns c, int i, double dt, Integrator how) {
+        double vx = c.vx[i], vy = c.vy[i];
+        c.vx[i] = rest(c.decay[i] * vx + c.gain[i] * c.fx[i]);
+        c.vy[i] = rest(c.decay[i] * vy + c.gain[i] * c.fy[i]);
+        if (isAbove(c.vx, c.vy, c.cap, i)) cap(c.vx, c.vy, c.cap, i);
+        c.x[i] += shift(how, c.lag[i], vx, c.vx[i], dt);
+        c.y[i] += shift(how, c.lag[i], vy, c.vy[i], dt);
+        c.fx[i] = c.fy[i] = 0;
+    }
+
+    private static double shift(Integrator how, double lag, double v, double next, double dt) {
+        if (how == Integrator.EULER) return dt * v; // lag is 1
+        return how == Integrator.MIDPOINT ? dt / 2 * (v + next) : dt * between(lag, v, next);
+    }
+
+    private static double between(double lag, double v, double next) {
+        return next + lag * (v - next);
     }
 
     /** For how many steps without forces rows are calm; negative, if it is that many until it is worth to look again. */
@@ -150,7 +179,7 @@ final class Kernel {
 
     private static void move(double[] x, double[] lag, double[] v, double[] next, int from, int to, double dt) {
         for (int i = from; i < to; i++) {
-            x[i] += dt * (lag[i] * v[i] + (1 - lag[i]) * next[i]);
+            x[i] += dt * between(lag[i], v[i], next[i]);
             v[i] = next[i];
             next[i] = 0;
         }
@@ -176,7 +205,7 @@ final class Kernel {
             double[] x, double[] lag, double[] v, double[] decay, int from, int to, double dt) {
         for (int i = from; i < to; i++) {
             double next = rest(decay[i] * v[i]);
-            x[i] += dt * (lag[i] * v[i] + (1 - lag[i]) * next);
+            x[i] += dt * between(lag[i], v[i], next);
             v[i] = next;
         }
     }
@@ -185,7 +214,7 @@ final class Kernel {
             double[] x, double[] lag, double[] v, double[] decay, int from, int to, double dt) {
         for (int i = from; i < to; i++) {
             double next = decay[i] * v[i];
-            x[i] += dt * (lag[i] * v[i] + (1 - lag[i]) * next);
+            x[i] += dt * between(lag[i], v[i], next);
             v[i] = next;
         }
     }
@@ -201,134 +230,29 @@ final class Kernel {
     }
 
     /** The speed cap for rows. If none is above it they are left alone, which is the same to the bit. */
-    private static void cap(Columns c, double[] vx, double[] vy, int from, int to) {
-        if (anyAbove(vx, vy, c.cap, from, to)) cap(vx, vy, c.cap, from, to);
+    private static void cap(double[] vx, double[] vy, double[] cap, int from, int to) {
+        if (!anyAbove(vx, vy, cap, from, to)) return;
+        for (int i = from; i < to; i++) cap(vx, vy, cap, i);
     }
 
     private static boolean anyAbove(double[] vx, double[] vy, double[] cap, int from, int to) {
-        for (int i = from; i < to; i++) {
-            if (vx[i] * vx[i] + vy[i] * vy[i] > cap[i] * cap[i]) return true;
-        }
+        for (int i = from; i < to; i++) if (isAbove(vx, vy, cap, i)) return true;
         return false;
     }
 
+    private static boolean isAbove(double[] vx, double[] vy, double[] cap, int i) {
+        return vx[i] * vx[i] + vy[i] * vy[i] > cap[i] * cap[i];
+    }
+
     /**
-     * The speed cap. The velocities' components must be below 2^510. With cap a few rounding errors below maxSpeed, more
+     * The speed cap. The velocity's components must be below 2^510. With cap a few rounding errors below maxSpeed, more
      * than are made here, no unit is ever over its maxSpeed.
      */
-    static void cap(double[] vx, double[] vy, double[] cap, int from, int to) {
-        for (int i = from; i < to; i++) {
-            double a = vx[i], b = vy[i], c = cap[i];
-            double over = Math.sqrt(a * a + b * b) - c;
-            double k = c / (c + 0.5 * (over + Math.abs(over))); // 1 up to the cap, exactly
-            vx[i] = a * k * 0x1p-52 * 0x1p52; // 0 rather than subnormal, and else the same
-            vy[i] = b * k * 0x1p-52 * 0x1p52;
-        }
-    }
-
-    static void coefficients(Columns c, int from, int to, double dt, Integrator how) {
-        double[] mass = c.mass, friction = c.friction, decay = c.decay, gain = c.gain;
-        switch (how) {
-            case EULER:
-                for (int i = from; i < to; i++) {
-                    double h = dt / mass[i], z = friction[i] * h;
-                    decay[i] = Math.max(0, 1 - z);
-                    gain[i] = h / Math.max(1, z);
-                }
-                break;
-            case MIDPOINT:
-                for (int i = from; i < to; i++) {
-                    double h = dt / mass[i], half = friction[i] * h / 2;
-                    decay[i] = Math.max(0, (1 - half) / (1 + half));
-                    gain[i] = h / Math.max(1 + half, 2 * half);
-                }
-                break;
-            case EXACT:
-                double[] lag = c.lag;
-                for (int i = from; i < to; i++) {
-                    gain[i] = dt / mass[i];
-                    lag[i] = friction[i] * gain[i]; // z, for the moment
-                }
-                if (allBelow(SMALL, lag, from, to)) {
-                    smallExact(decay, gain, lag, from, to);
-                    smallLag(lag, from, to);
-                } else {
-                    for (int i = from; i < to; i++) exact(decay, gain, lag, i);
-                }
-                break;
-        }
-    }
-
-    /** Below this z, series are as good as exp. They can be vectorised. */
-    private static final double SMALL = 0.5;
-
-    private static boolean allBelow(double limit, double[] z, int from, int to) {
-        for (int i = from; i < to; i++) if (z[i] >= limit) return false;
-        return true;
-    }
-
-    private static void smallExact(double[] decay, double[] gain, double[] z, int from, int to) {
-        for (int i = from; i < to; i++) {
-            double g = gain(z[i]);
-            decay[i] = 1 - z[i] * g;
-            gain[i] *= g;
-        }
-    }
-
-    private static void smallLag(double[] lag, int from, int to) {
-        for (int i = from; i < to; i++) lag[i] = lag(lag[i]);
-    }
-
-    /** Row i by the same arithmetic, or for larger z by exp. */
-    private static void exact(double[] decay, double[] gain, double[] lag, int i) {
-        double z = lag[i];
-        if (z < SMALL) {
-            smallExact(decay, gain, lag, i, i + 1);
-            smallLag(lag, i, i + 1);
-        } else {
-            double left = StrictMath.exp(-z), gone = 1 - left;
-            decay[i] = left;
-            gain[i] *= gone / z;
-            lag[i] = z < 1 ? lag(z) : 1 / z - left / gone;
-        }
-    }
-
-    /** (1 − e^−z)/z = Σ (−z)^k / (k + 1)!; below SMALL, the terms left out come to less than 2e-18. */
-    private static double gain(double z) {
-        double sum = 1 / 1307674368000.0;
-        sum = 1 / 87178291200.0 - z * sum;
-        sum = 1 / 6227020800.0 - z * sum;
-        sum = 1 / 479001600.0 - z * sum;
-        sum = 1 / 39916800.0 - z * sum;
-        sum = 1 / 3628800.0 - z * sum;
-        sum = 1 / 362880.0 - z * sum;
-        sum = 1 / 40320.0 - z * sum;
-        sum = 1 / 5040.0 - z * sum;
-        sum = 1 / 720.0 - z * sum;
-        sum = 1 / 120.0 - z * sum;
-        sum = 1 / 24.0 - z * sum;
-        sum = 1 / 6.0 - z * sum;
-        sum = 1 / 2.0 - z * sum;
-        return 1 - z * sum;
-    }
-
-    /**
-     * 1 − weight(z) = 1/z − 1/(e^z − 1): 1/2 at 0, and close to 1/z for large z. Below 1, where the difference would
-     * cancel, its series 1/2 − Σ B(2k) z^(2k−1) / (2k)!, with the Bernoulli numbers B; the terms left out come to less
-     * than 6e-18.
-     */
-    private static double lag(double z) {
-        double s = z * z;
-        double sum = -174611 / 802857662698291200000.0;
-        sum = sum * s + 43867 / 5109094217170944000.0;
-        sum = sum * s - 3617 / 10670622842880000.0;
-        sum = sum * s + 1 / 74724249600.0;
-        sum = sum * s - 691 / 1307674368000.0;
-        sum = sum * s + 1 / 47900160.0;
-        sum = sum * s - 1 / 1209600.0;
-        sum = sum * s + 1 / 30240.0;
-        sum = sum * s - 1 / 720.0;
-        sum = sum * s + 1 / 12.0;
-        return 0.5 - z * sum;
+    static void cap(double[] vx, double[] vy, double[] cap, int i) {
+        double a = vx[i], b = vy[i], c = cap[i];
+        double over = Math.sqrt(a * a + b * b) - c;
+        double k = c / (c + 0.5 * (over + Math.abs(over))); // 1 up to the cap, exactly
+        vx[i] = a * k * 0x1p-52 * 0x1p52; // 0 rather than subnormal, and else the same
+        vy[i] = b * k * 0x1p-52 * 0x1p52;
     }
 }

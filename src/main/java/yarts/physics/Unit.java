@@ -160,7 +160,7 @@ public class Unit {
     private void cap() {
         columns.disturb(row);
         if (getSpeed() > Math.min(getMaxSpeed(), Columns.TOP)) {
-            Kernel.cap(columns.vx, columns.vy, columns.cap, row, row + 1);
+            Kernel.cap(columns.vx, columns.vy, columns.cap, row);
         }
         boolean pinned = getMaxSpeed() < Kernel.REST;
         if (pinned || Math.abs(getVx()) < Kernel.REST) columns.vx[row] = 0;
