@@ -17,7 +17,7 @@ import net.jqwik.api.Property;
 class CoastPropertyTest {
     private static final double CALM = Kernel.REST * 0x1p60;
 
-    @Property(tries = 400)
+    @Property(tries = 300)
     void leftAloneOrDisturbedItIsAsIfNothingWereLeftOut(@ForAll Integrator how, @ForAll long seed) {
         Random random = new Random(seed);
         Coast coast = new Coast(how, random);
@@ -76,8 +76,8 @@ class CoastPropertyTest {
             this.how = how;
             this.random = random;
             world = new World(how, Timestep.fixed(60));
-            double slowest = random.nextBoolean() ? -440 : -20, odd = random.nextInt(4) / 300.0;
-            for (int i = 0; i < 300; i++) {
+            double slowest = random.nextBoolean() ? -440 : -20, odd = random.nextInt(4) / 500.0;
+            for (int i = 0; i < Columns.BLOCK + 44; i++) {
                 double top = 1 + random.nextInt(3);
                 double friction = random.nextDouble() / 2;
                 double vx = top * velocity(slowest), vy = random.nextInt(5) == 0 ? 0 : top * velocity(slowest);

@@ -81,6 +81,7 @@ final class Report {
         lines.add(new Line("all at rest, step alone", "UnitsBenchmark.atRest"));
         lines.add(new Line("force and step, no top speed", "UnitsBenchmark.uncapped"));
         lines.add(new Line("force and step, half at top speed", "UnitsBenchmark.halfCapped"));
+        lines.add(new Line("force and step, after an hour of three units", "HistoryBenchmark.afterFew"));
         lines.add(new Line("force and step, shuffled heap", "UnitsBenchmark.scattered"));
         lines.add(new Line("the same, forces in shuffled order", "UnitsBenchmark.shuffled"));
         lines.add(new Line("step, 1 % removed and added", "GameBenchmark.churn"));
