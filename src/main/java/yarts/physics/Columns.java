@@ -324,10 +324,13 @@ final class Columns {
     }
 
     private static void carry(double[] carry, double[] f, int n, double elapsed) {
-        for (int i = 0; i < n; i++) {
-            carry[i] += f[i] * elapsed;
-            f[i] = 0;
-        }
+        if (n < Kernel.FEW) for (int i = 0; i < n; i++) carryRow(carry, f, i, elapsed);
+        else for (int i = 0; i < n; i++) carryRow(carry, f, i, elapsed); // a loop that is always long: see FEW
+    }
+
+    private static void carryRow(double[] carry, double[] f, int i, double elapsed) {
+        carry[i] += f[i] * elapsed;
+        f[i] = 0;
     }
 
     /**
@@ -363,11 +366,17 @@ final class Columns {
 
     private static void spread(
             double[] carry, double[] f, int from, int to, double before, double after, double perSecond) {
-        for (int i = from; i < to; i++) {
-            double force = f[i];
-            f[i] = force + (carry[i] - force * before) * perSecond;
-            carry[i] = force * after;
+        if (to - from < Kernel.FEW) {
+            for (int i = from; i < to; i++) spreadRow(carry, f, i, before, after, perSecond);
+        } else {
+            for (int i = from; i < to; i++) spreadRow(carry, f, i, before, after, perSecond);
         }
+    }
+
+    private static void spreadRow(double[] carry, double[] f, int i, double before, double after, double perSecond) {
+        double force = f[i];
+        f[i] = force + (carry[i] - force * before) * perSecond;
+        carry[i] = force * after;
     }
 
     /** The frame's forces, for its next step. */

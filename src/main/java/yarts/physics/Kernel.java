@@ -6,14 +6,14 @@ package yarts.physics;
  * <pre>{@code
  * v' = decay v + gain F             decay = decay(z), gain = gain(z) dt/m of Integrator
  * v' = v' cap / max(|v'|, cap)      the speed cap: keeps the direction
- * x' = x + dt (v' + lag (v − v'))  lag = 1 − weight(z)
+ * x' = x + dt (v' + lag (v − v'))   lag = 1 − weight(z)
  * F  = 0
  * }</pre>
  *
  * <p>HotSpot vectorises a loop that is small (60 nodes of its graph) and has no branch. So a step is a series of such
- * passes, and {@link Columns} has them run over blocks of rows that stay in the first-level cache from pass to pass. Where a branch would do,
- * max(0, a) is written as (a + |a|) / 2, which is exact, and several times cheaper than Math.max with its care for NaN
- * and −0.0. Only + − * /, sqrt, abs, min and max are used, and StrictMath: the same bits on every JVM.
+ * passes, and {@link Columns} has them run over blocks of rows that stay in the cache from pass to pass. Where a branch
+ * would do, max(0, a) is written as (a + |a|) / 2, which is exact, and several times cheaper than Math.max with its care
+ * for NaN and −0.0. Only + − * /, sqrt, abs, min and max are used, and StrictMath: the same bits on every JVM.
  */
 final class Kernel {
     /** No unit is faster; in m/s. Its square, and that of what a step can add to it, do not overflow. */
@@ -30,6 +30,9 @@ final class Kernel {
      * left out: no velocity grows, and none gets below REST.
      */
     private static final byte CALM_STEPS = 60;
+
+    /** In place of a number of steps: nothing is known, but nobody has disturbed the rows since the last step. */
+    private static final byte LOOK = 127;
 
     private static final double CALM_DECAY = 0.5, CALM = REST * 0x1p60;
 
@@ -50,6 +53,9 @@ final class Kernel {
         void run(Columns c, int from, int to, double dt);
     }
 
+    // EULER moves by the velocity that the step starts with. The others need both: the new one waits in the force,
+    // which is
+    // used up by then.
     private static final Pass CAP = (c, from, to, dt) -> cap(c.vx, c.vy, c.cap, from, to);
     private static final Pass CAP_NEXT = (c, from, to, dt) -> cap(c.fx, c.fy, c.cap, from, to);
 
@@ -94,16 +100,20 @@ final class Kernel {
         }
     };
 
+    /** A step of rows of one block. */
     static void step(Columns c, int from, int to, double dt, Integrator how) {
         if (to - from < FEW) {
             for (int i = from; i < to; i++) stepRow(c, i, dt, how);
             return;
         }
         int block = from / Columns.BLOCK, calm = c.forced ? 0 : c.calm[block];
-        for (Pass pass : STEPS[how.ordinal()][calm == 0 ? 0 : calm < 0 ? 1 : 2]) pass.run(c, from, to, dt);
-        c.calm[block] = (byte) (calm != 0 ? calm - Integer.signum(calm) : c.forced ? 0 : calm(c, from, to));
+        boolean unknown = calm == 0 || calm == LOOK;
+        for (Pass pass : STEPS[how.ordinal()][unknown ? 0 : calm < 0 ? 1 : 2]) pass.run(c, from, to, dt);
+        if (calm == 0) c.calm[block] = c.forced ? 0 : LOOK; // but not yet: it may be disturbed before every step
+        else c.calm[block] = (byte) (calm == LOOK ? calm(c, from, to) : calm - Integer.signum(calm));
     }
 
+    /** The same step of one row, whatever is known of its block. */
     static void stepRow(Columns c, int i, double dt, Integrator how) {
         double vx = c.vx[i], vy = c.vy[i];
         c.vx[i] = rest(c.decay[i] * vx + c.gain[i] * c.fx[i]);
