@@ -65,8 +65,8 @@ final class Columns {
     /** Whether any row may have a maxSpeed below rest. */
     private boolean pinned;
     /**
-     * By block of a world's table: for how many more steps its rows are calm, in the sense of Kernel. If negative, they
-     * are not, but none is above its cap; 0 if nothing is known.
+     * By block of a world's table, what Kernel knows: if positive, for how many more steps without forces its rows are
+     * calm, or that Kernel is to find out; if negative, that none is above its cap; 0 if nothing.
      */
     byte[] calm;
     /** How many rows of a nursery are taken. */

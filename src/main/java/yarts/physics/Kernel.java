@@ -45,17 +45,16 @@ final class Kernel {
     private Kernel() {}
 
     /**
-     * A part of a step, for some rows. HotSpot vectorises none of its loops where many of them meet in one method, as
-     * they would where a step is inlined into a loop of the game; but it does not inline a call that leads to many
+     * A part of a step, for some rows. Where many loops meet in one method, as they would where a step is inlined into a
+     * loop of the game, HotSpot leaves some of them slow; but it does not inline a call that leads to many
      * implementations. So each pass is compiled by itself.
      */
     private interface Pass {
         void run(Columns c, int from, int to, double dt);
     }
 
-    // EULER moves by the velocity that the step starts with. The others need both: the new one waits in the force,
-    // which is
-    // used up by then.
+    // EULER moves by the velocity that the step starts with. The others need the new one, too: until the move, it waits
+    // in the force, which is used up by then.
     private static final Pass CAP = (c, from, to, dt) -> cap(c.vx, c.vy, c.cap, from, to);
     private static final Pass CAP_NEXT = (c, from, to, dt) -> cap(c.fx, c.fy, c.cap, from, to);
 
