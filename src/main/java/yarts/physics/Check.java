@@ -14,7 +14,8 @@ final class Check {
      */
     static final double MAX = 1e50;
 
-    private static final double MAX_HELD = 1e70;
+    /** Volatile, so that no compiler works out in its own thread what they become. */
+    private static volatile double smallestNormal = Double.MIN_NORMAL, smallest = Double.MIN_VALUE;
 
     private Check() {}
 
@@ -54,19 +55,26 @@ final class Check {
 
     /** A component of a force or of an impulse. */
     static void push(String name, double value) {
-        if (!(Math.abs(value) <= MAX)) throw refused(name, "finite and at most 1.0E50 in magnitude", value);
+        if (!isPush(value)) throw refused(name, "finite and at most 1.0E50 in magnitude", value);
     }
 
-    /** A sum of such components, which is finite and more than 2^63 calls come to. */
-    static void held(String name, double value) {
-        if (!(Math.abs(value) <= MAX_HELD)) throw refused(name, "finite and at most 1.0E70 in magnitude", value);
+    static boolean isPush(double value) {
+        return Math.abs(value) <= MAX;
     }
 
-    /** A component of a velocity that steps can lead to. */
-    static void velocity(String name, double v, double most) {
-        boolean subnormal = v != 0 && Math.abs(v) < Double.MIN_NORMAL;
-        if (subnormal || !(Math.abs(v) <= most)) {
-            throw refused(name, "0 or a normal number, at most " + most + " in magnitude", v);
+    static double part(String name, double alpha) {
+        if (!(alpha >= 0 && alpha <= 1)) throw refused(name, "from 0 to 1", alpha);
+        return alpha;
+    }
+
+    /** Refuses a thread that does not do Java's arithmetic, since native code has changed its floating-point mode. */
+    static void arithmetic() {
+        boolean results = Double.doubleToRawLongBits(smallestNormal / 2) == 0;
+        boolean operands = Double.doubleToRawLongBits(smallest * 0x1p100) == 0;
+        if (results || operands) {
+            throw new IllegalStateException("this thread flushes subnormal numbers to 0, as "
+                    + (results ? operands ? "results and operands" : "results" : "operands")
+                    + ": native code has changed its floating-point mode (FTZ, DAZ)");
         }
     }
 

@@ -3,12 +3,14 @@ package yarts.physics;
 /**
  * Where a world stands in time.
  *
- * <p>Fixed steps are counted, never summed: elapsed time is rounded to whole nanoseconds, and (nanoseconds · rate) /
- * 1e9 is done in integers. Time that is not a whole number of fixed steps is summed with the rounding error carried
- * along.
+ * <p>Fixed steps are counted, never summed: time is counted in {@link #STEP} parts of a step. Whole nanoseconds times the
+ * rate are a whole number of these. Other times are rounded to one, and the error is carried on to the next. Time that is
+ * not a whole number of fixed steps is summed with the rounding error carried along.
  */
 final class Clock {
-    private static final long SECOND = 1_000_000_000; // ns
+    /** Parts of a step; and since the rate is an integer, of a nanosecond, too. */
+    private static final long STEP = 1_000_000_000;
+
     /** The largest float below 1: a renderer that narrows alpha to float still gets less than 1. */
     private static final double MAX_ALPHA = 0x1.fffffep-1;
 
@@ -17,7 +19,15 @@ final class Clock {
 
     /** The names of {@link #state}. */
     static final String[] STATE = {
-        "tick", "regularTicks", "remainder", "droppedTicks", "time", "timeError", "droppedTime", "droppedTimeError"
+        "tick",
+        "regularTicks",
+        "remainder",
+        "droppedTicks",
+        "remainderError",
+        "time",
+        "timeError",
+        "droppedTime",
+        "droppedTimeError"
     };
 
     /** From here on in {@link #state} the longs are the bits of doubles. */
@@ -27,10 +37,13 @@ final class Clock {
     private long tick;
     /** Of the ticks, those of exactly 1/rate seconds. */
     private long regular;
-    /** Elapsed time that no step has covered yet; in 1/rate nanoseconds, less than SECOND: a part of a step. */
+    /** Elapsed time that no step has covered yet; in parts of a step, less than STEP. */
     private long remainder;
 
     private long droppedSteps;
+    /** What rounding left out of the remainder; in parts of a step, at most a half. */
+    private double remainderError;
+
     private final Sum irregular = new Sum();
     private final Sum dropped = new Sum();
 
@@ -38,12 +51,23 @@ final class Clock {
         this.timestep = timestep;
     }
 
-    /** Takes in elapsed time, rounded to nanoseconds; returns the whole fixed steps due, and keeps the remainder. */
+    /** Takes in elapsed time; returns the whole fixed steps due, and keeps the remainder. */
     long stepsDue(double elapsed) {
-        long ns = (long) (elapsed * SECOND + 0.5);
-        long part = ns % SECOND * timestep.rate + remainder; // below 1e15 + 1e9
-        remainder = part % SECOND;
-        return ns / SECOND * timestep.rate + part / SECOND;
+        long seconds = (long) elapsed;
+        remainder += parts(elapsed, seconds); // below 1e15 + 1e9
+        long due = remainder / STEP;
+        remainder %= STEP;
+        return seconds * timestep.rate + due;
+    }
+
+    /** Of a time without its whole seconds. */
+    private long parts(double elapsed, long seconds) {
+        long ns = (long) ((elapsed - seconds) * 1e9 + 0.5);
+        if ((seconds * STEP + ns) / 1e9 == elapsed) return ns * timestep.rate;
+        double exact = (elapsed - seconds) * (1e9 * timestep.rate) + remainderError;
+        long rounded = (long) (exact + 0.5);
+        remainderError = exact - rounded;
+        return rounded;
     }
 
     void ran(double dt) {
@@ -68,11 +92,11 @@ final class Clock {
 
     /** Of a fixed clock's time, such as its remainder or a difference of two. */
     double seconds(long time) {
-        return time / ((double) SECOND * timestep.rate);
+        return time / ((double) STEP * timestep.rate);
     }
 
     double alpha() {
-        return Math.min(remainder / (double) SECOND, MAX_ALPHA);
+        return Math.min(remainder / (double) STEP, MAX_ALPHA);
     }
 
     long tick() {
@@ -80,19 +104,34 @@ final class Clock {
     }
 
     double time() {
-        return timestep.isFixed() ? (double) regular / timestep.rate + irregular.value() : irregular.value();
+        return inSeconds(regular) + irregular.value();
     }
 
     double droppedTime() {
-        return timestep.isFixed() ? (double) droppedSteps / timestep.rate : dropped.value();
+        return inSeconds(droppedSteps) + dropped.value();
+    }
+
+    private double inSeconds(long steps) {
+        return timestep.isFixed() ? (double) steps / timestep.rate : 0;
     }
 
     Timestep timestep() {
         return timestep;
     }
 
-    void setTimestep(Timestep timestep) {
-        this.timestep = timestep;
+    /** Goes on in other steps. The remainder stays the same part of a step; without fixed steps there is none. */
+    void setTimestep(Timestep next) {
+        if (next.rate != timestep.rate) {
+            irregular.add(inSeconds(regular));
+            dropped.add(inSeconds(droppedSteps));
+            regular = droppedSteps = 0;
+        }
+        if (!next.isFixed()) {
+            if (timestep.isFixed()) drop(seconds(remainder));
+            remainder = 0;
+            remainderError = 0;
+        }
+        timestep = next;
     }
 
     void set(Clock other) {
@@ -101,6 +140,7 @@ final class Clock {
         regular = other.regular;
         remainder = other.remainder;
         droppedSteps = other.droppedSteps;
+        remainderError = other.remainderError;
         irregular.set(other.irregular.sum, other.irregular.error);
         dropped.set(other.dropped.sum, other.dropped.error);
     }
@@ -112,6 +152,7 @@ final class Clock {
             regular,
             remainder,
             droppedSteps,
+            Double.doubleToRawLongBits(remainderError),
             Double.doubleToRawLongBits(irregular.sum),
             Double.doubleToRawLongBits(irregular.error),
             Double.doubleToRawLongBits(dropped.sum),
@@ -122,31 +163,37 @@ final class Clock {
     /**
      * The reverse of {@link #state}.
      *
+     * @param timestep the timestep
      * @throws IllegalArgumentException if no clock can have come to this; it is to be thrown away then
      */
-    void setState(long[] state) {
+    void setState(Timestep timestep, long[] state) {
+        this.timestep = timestep;
         tick = Check.count(STATE[0], state[0], MAX_TICKS);
         regular = Check.count(STATE[1], state[1], tick);
-        remainder = Check.count(STATE[2], state[2], timestep.isFixed() ? SECOND - 1 : 0);
+        remainder = Check.count(STATE[2], state[2], timestep.isFixed() ? STEP - 1 : 0);
         droppedSteps = Check.count(STATE[3], state[3], MAX_TICKS);
-        irregular.set(sum(4, state), sum(5, state));
-        dropped.set(sum(6, state), sum(7, state));
+        remainderError = error(4, state, timestep.isFixed() ? 1 : 0);
+        irregular.set(sum(5, state), error(6, state, MAX_SUM));
+        dropped.set(sum(7, state), error(8, state, MAX_SUM));
     }
 
     private static double sum(int i, long[] state) {
-        double sum = Check.finite(STATE[i], Double.longBitsToDouble(state[i]));
-        if (!(Math.abs(sum) <= MAX_SUM && (i % 2 == 1 || sum >= 0))) {
-            throw Check.refused(
-                    STATE[i], (i % 2 == 1 ? "" : ">= 0 and ") + "at most " + MAX_SUM + " in magnitude", sum);
-        }
+        double sum = Double.longBitsToDouble(state[i]) + 0.0;
+        if (!(sum >= 0 && sum <= MAX_SUM)) throw Check.refused(STATE[i], ">= 0 and at most " + MAX_SUM, sum);
         return sum;
+    }
+
+    private static double error(int i, long[] state, double most) {
+        double error = Double.longBitsToDouble(state[i]) + 0.0;
+        if (!(Math.abs(error) <= most)) throw Check.refused(STATE[i], "at most " + most + " in magnitude", error);
+        return error;
     }
 
     /** A hash of all this that goes on from h. */
     long hash(long h) {
         h = mix(mix(mix(h, timestep.rate), Double.doubleToRawLongBits(timestep.maxStep)), timestep.maxSteps);
         h = mix(mix(mix(mix(h, tick), regular), remainder), droppedSteps);
-        return dropped.hash(irregular.hash(h));
+        return dropped.hash(irregular.hash(mix(h, Double.doubleToRawLongBits(remainderError + 0.0))));
     }
 
     /** One step of a hash. For every h it is one-to-one in v, and for every v in h. */

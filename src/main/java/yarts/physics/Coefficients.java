@@ -1,132 +1,140 @@
 package yarts.physics;
 
-/** The coefficients of a step: decay(z), gain(z) dt/m and lag = 1 − weight(z), as in {@link Integrator}. */
+import java.util.Arrays;
+
+/** Works out what {@link Kernel} takes: the coefficients of rows, for a dt and an {@link Integrator}. */
 final class Coefficients {
-    /** Below this z, series are as good as exp. They can be vectorised. */
-    private static final double SMALL = 0.5;
+    private double dt = -1;
+    private Integrator integrator;
+    /** The shares of every row, where they do not depend on the row: the same arrays for all blocks stay in the cache. */
+    private final double[] before = new double[Columns.SHARED], after = new double[Columns.SHARED];
 
-    private Coefficients() {}
+    private int rows;
 
-    /** Works out those of some rows. */
-    static void of(Columns c, int from, int to, double dt, Integrator how) {
-        if (to - from < Kernel.FEW) {
-            for (int i = from; i < to; i++) ofRow(c, i, dt, how);
-            return;
-        }
-        double[] mass = c.mass, friction = c.friction, decay = c.decay, gain = c.gain, lag = c.lag;
-        switch (how) {
+    /** What follows is to be for a table of so many rows, a dt and an integrator. */
+    void set(int size, double dt, Integrator integrator) {
+        int wanted = Math.min(Columns.lanes(size), Columns.SHARED);
+        if (dt == this.dt && integrator == this.integrator && wanted <= rows) return;
+        this.dt = dt;
+        this.integrator = integrator;
+        rows = wanted;
+        Arrays.fill(before, 0, rows, integrator == Integrator.MIDPOINT ? dt / 2 : dt);
+        Arrays.fill(after, 0, rows, integrator == Integrator.MIDPOINT ? dt / 2 : 0);
+    }
+
+    /** Those of all rows of a block, unless it has them. */
+    void renew(Columns c) {
+        if (c.dt == dt && c.integrator == integrator.ordinal()) return;
+        int start = c.start, end = c.lanes();
+        c.own();
+        switch (integrator) {
             case EULER:
-                for (int i = from; i < to; i++) euler(mass, friction, decay, gain, i, dt);
+                for (int i = start; i < end; i++) euler(c, i, dt);
                 break;
             case MIDPOINT:
-                for (int i = from; i < to; i++) midpoint(mass, friction, decay, gain, i, dt);
+                for (int i = start; i < end; i++) midpoint(c, i, dt);
                 break;
             case EXACT:
-                for (int i = from; i < to; i++) stiffness(mass, friction, gain, lag, i, dt);
-                if (allSmall(lag, from, to)) {
-                    for (int i = from; i < to; i++) small(decay, gain, lag, i);
-                    for (int i = from; i < to; i++) lag[i] = lag(lag[i]);
+                for (int i = start; i < end; i++) stiffness(c, i, dt);
+                if (allSmall(c)) {
+                    for (int i = start; i < end; i++) small(c, i);
+                    for (int i = start; i < end; i++) share(c, i, dt, Exponential.lag(c.after[i]));
                 } else {
-                    for (int i = from; i < to; i++) exact(decay, gain, lag, i);
+                    for (int i = start; i < end; i++) exact(c, i, dt);
                 }
                 break;
         }
+        if (integrator != Integrator.EXACT) {
+            if (c.still) {
+                System.arraycopy(before, start, c.before, start, end - start);
+                System.arraycopy(after, start, c.after, start, end - start);
+            } else {
+                c.before = before;
+                c.after = after;
+            }
+        }
+        if (c.dt < 0) for (int i = start; i < end; i++) c.cap[i] = Kernel.cap(c.maxSpeed[i]);
+        for (int i = start; c.still && i < end; i++) still(c, i);
+        c.dt = dt;
+        c.integrator = integrator.ordinal();
     }
 
-    private static void ofRow(Columns c, int i, double dt, Integrator how) {
-        switch (how) {
+    /** Those of one row, whatever the rest of the block has. */
+    static void renew(Columns c, int i, double dt, Integrator integrator) {
+        c.own();
+        switch (integrator) {
             case EULER:
-                euler(c.mass, c.friction, c.decay, c.gain, i, dt);
+                euler(c, i, dt);
+                c.before[i] = dt;
+                c.after[i] = 0;
                 break;
             case MIDPOINT:
-                midpoint(c.mass, c.friction, c.decay, c.gain, i, dt);
+                midpoint(c, i, dt);
+                c.before[i] = c.after[i] = dt / 2;
                 break;
             case EXACT:
-                stiffness(c.mass, c.friction, c.gain, c.lag, i, dt);
-                exact(c.decay, c.gain, c.lag, i);
+                stiffness(c, i, dt);
+                exact(c, i, dt);
                 break;
         }
+        c.cap[i] = Kernel.cap(c.maxSpeed[i]);
+        still(c, i);
+        c.renew();
     }
 
-    private static void euler(double[] mass, double[] friction, double[] decay, double[] gain, int i, double dt) {
-        double h = dt / mass[i], z = friction[i] * h;
-        decay[i] = Math.max(0, 1 - z);
-        gain[i] = h / Math.max(1, z);
+    private static void euler(Columns c, int i, double dt) {
+        double h = dt / c.mass[i], z = c.friction[i] * h;
+        c.decay[i] = Math.max(0, 1 - z);
+        c.gain[i] = h / Math.max(1, z);
     }
 
-    private static void midpoint(double[] mass, double[] friction, double[] decay, double[] gain, int i, double dt) {
-        double h = dt / mass[i], half = friction[i] * h / 2;
-        decay[i] = Math.max(0, (1 - half) / (1 + half));
-        gain[i] = h / Math.max(1 + half, 2 * half);
+    private static void midpoint(Columns c, int i, double dt) {
+        double h = dt / c.mass[i], half = c.friction[i] * h / 2;
+        c.decay[i] = Math.max(0, (1 - half) / (1 + half));
+        c.gain[i] = h / Math.max(1 + half, 2 * half);
     }
 
-    /** The first part of EXACT: dt/m, and z in place of lag. */
-    private static void stiffness(double[] mass, double[] friction, double[] gain, double[] z, int i, double dt) {
-        gain[i] = dt / mass[i];
-        z[i] = friction[i] * gain[i];
+    /** The first part of EXACT: dt/m, and z in place of a share. */
+    private static void stiffness(Columns c, int i, double dt) {
+        c.gain[i] = dt / c.mass[i];
+        c.after[i] = c.friction[i] * c.gain[i];
     }
 
-    private static boolean allSmall(double[] z, int from, int to) {
-        for (int i = from; i < to; i++) if (z[i] >= SMALL) return false;
+    private static boolean allSmall(Columns c) {
+        for (int i = c.start; i < c.end; i++) if (c.after[i] >= Exponential.SMALL) return false;
         return true;
     }
 
-    private static void small(double[] decay, double[] gain, double[] z, int i) {
-        double g = gain(z[i]);
-        decay[i] = 1 - z[i] * g;
-        gain[i] *= g;
+    private static void small(Columns c, int i) {
+        double z = c.after[i], gain = Exponential.gain(z);
+        c.decay[i] = 1 - z * gain;
+        c.gain[i] *= gain;
     }
 
-    /** The second part of EXACT: by the same arithmetic as of small rows, or for larger z by exp. */
-    private static void exact(double[] decay, double[] gain, double[] lag, int i) {
-        double z = lag[i];
-        if (z < SMALL) {
-            small(decay, gain, lag, i);
-            lag[i] = lag(z);
+    /** The second part of EXACT: by the same arithmetic as where all are small, or for larger z by exp. */
+    private static void exact(Columns c, int i, double dt) {
+        double z = c.after[i];
+        if (z < Exponential.SMALL) {
+            small(c, i);
         } else {
-            double left = StrictMath.exp(-z), gone = 1 - left;
-            decay[i] = left;
-            gain[i] *= gone / z;
-            lag[i] = z < 1 ? lag(z) : 1 / z - left / gone;
+            c.decay[i] = Exponential.decay(z);
+            c.gain[i] *= (1 - c.decay[i]) / z;
         }
+        share(c, i, dt, Exponential.lag(z, c.decay[i]));
     }
 
-    /** (1 − e^−z)/z = Σ (−z)^k / (k + 1)!; below SMALL, the terms left out come to less than 2e-18. */
-    private static double gain(double z) {
-        double sum = 1 / 1307674368000.0;
-        sum = 1 / 87178291200.0 - z * sum;
-        sum = 1 / 6227020800.0 - z * sum;
-        sum = 1 / 479001600.0 - z * sum;
-        sum = 1 / 39916800.0 - z * sum;
-        sum = 1 / 3628800.0 - z * sum;
-        sum = 1 / 362880.0 - z * sum;
-        sum = 1 / 40320.0 - z * sum;
-        sum = 1 / 5040.0 - z * sum;
-        sum = 1 / 720.0 - z * sum;
-        sum = 1 / 120.0 - z * sum;
-        sum = 1 / 24.0 - z * sum;
-        sum = 1 / 6.0 - z * sum;
-        sum = 1 / 2.0 - z * sum;
-        return 1 - z * sum;
+    private static void share(Columns c, int i, double dt, double lag) {
+        c.before[i] = dt * lag;
+        c.after[i] = dt * (1 - lag);
     }
 
-    /**
-     * 1 − weight(z) = 1/z − 1/(e^z − 1): 1/2 at 0, and close to 1/z for large z. Below 1, where the difference would
-     * cancel, its series 1/2 − Σ B(2k) z^(2k−1) / (2k)!, with the Bernoulli numbers B; the terms left out come to less
-     * than 6e-18.
-     */
-    private static double lag(double z) {
-        double s = z * z;
-        double sum = -174611 / 802857662698291200000.0;
-        sum = sum * s + 43867 / 5109094217170944000.0;
-        sum = sum * s - 3617 / 10670622842880000.0;
-        sum = sum * s + 1 / 74724249600.0;
-        sum = sum * s - 691 / 1307674368000.0;
-        sum = sum * s + 1 / 47900160.0;
-        sum = sum * s - 1 / 1209600.0;
-        sum = sum * s + 1 / 30240.0;
-        sum = sum * s - 1 / 720.0;
-        sum = sum * s + 1 / 12.0;
-        return 0.5 - z * sum;
+    /** A frozen unit keeps its velocity and its place; one with a top speed below rest has no velocity. */
+    private static void still(Columns c, int i) {
+        if (c.frozen[i] != 0) {
+            c.decay[i] = 1;
+            c.gain[i] = c.before[i] = c.after[i] = 0;
+        } else if (c.maxSpeed[i] < Kernel.REST) {
+            c.decay[i] = c.gain[i] = 0;
+        }
     }
 }

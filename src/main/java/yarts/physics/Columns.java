@@ -1,396 +1,265 @@
 package yarts.physics;
 
 import java.util.Arrays;
-import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * A table of units: a row a unit, an array a quantity. A world has one table for all its units. Units outside a world
- * share small tables, {@link #NURSERY} rows each: making a unit takes a row and no arrays, and a table goes when the
- * last of its units does. Rows share nothing but the flags, which are constant there, so threads do not disturb each
- * other's units.
+ * A block of up to {@link #BLOCK} units: a row a unit, an array a quantity. There is no physics here.
  *
- * <p>Whenever {@link #how} is set, the coefficients of every row in use are those of (mass, friction, {@link #dt},
- * how).
+ * <p>A {@link Table} is a list of blocks, some of which share their arrays, each with rows of its own: processors read
+ * ahead better in long arrays. Units outside a world share small blocks. Loops may run over a row that is not in
+ * use: it is at rest. Rows share nothing but the fields about the block, which mean nothing outside a
+ * world, so threads do not disturb each other's lone units.
  */
 final class Columns {
-    /** Where in {@link #all} what follows from the state begins, then the forces and so on, and the end. */
-    private static final int COEFFICIENTS = 7, FORCES = 11, CARRIES = 13, PREVIOUS = 15, FRAMES = 17, COUNT = 19;
+    /** Most rows. What a pass over them touches stays in a first-level cache of 32 KB. */
+    static final int BLOCK = 512;
+
+    /** Most rows of blocks that share their arrays. */
+    static final int SHARED = 8 * BLOCK;
+
+    /** Loops run over a multiple of this many rows, the last of which nobody may use; see {@link Kernel}. */
+    static final int LANES = 32;
+
+    /** In place of the number of a row. */
+    static final int NONE = -1, MANY = SHARED;
 
     /** The names of {@link #state}. */
     static final String[] STATE = {
-        "x", "y", "vx", "vy", "mass", "friction", "maxSpeed", "fx", "fy", "carryX", "carryY", "previousX", "previousY"
+        "x",
+        "y",
+        "vx",
+        "vy",
+        "mass",
+        "friction",
+        "maxSpeed",
+        "frozen",
+        "fx",
+        "fy",
+        "pendingX",
+        "pendingY",
+        "previousX",
+        "previousY"
     };
 
-    /** Rows in a block; the 5 arrays of a pass are 20 KB of a cache of 32 KB, and going from pass to pass costs little. */
-    static final int BLOCK = 512;
+    /** Places in {@link #all}; where the state ends, which is what else follows from; and the end. */
+    private static final int X = 0, Y = 1, MASS = 4, PREVIOUS_X = 12, PREVIOUS_Y = 13, FOLLOWING = 14, COUNT = 21;
 
-    private static final int NURSERY = 32;
-    private static final AtomicReference<Columns> nursery = new AtomicReference<>(new Columns(null, NURSERY));
+    /** What the world gave the unit when it was added: 1, 2, 3 and so on; 0 if it was never in any. */
+    long[] id;
 
-    /** Relative; twice the rounding errors that the speed cap and Unit.getSpeed make. */
-    private static final double MARGIN = 0x1p-49;
-
-    /** The cap where there is none. */
-    static final double TOP = Kernel.FASTEST * (1 - MARGIN);
-
-    /** The world whose table this is, or null. */
-    final World world;
-
-    /** What the world that the unit was added to numbered it: 1, 2, 3 and so on; 0 if it was never in any. */
-    long[] id = {};
-
-    double[] x, y, vx, vy;
+    double[] x, y, vx, vy, mass, friction, maxSpeed;
+    /** 1 if frozen, or 0. */
+    double[] frozen;
     /** The force for the next step. */
     double[] fx, fy;
-    /** The force that a frame gives to each of its steps; valid while World.advance runs them. */
-    double[] frameX, frameY;
     /** The impulse of forces that acted during the clock's remainder, which no step has covered yet. */
-    double[] carryX, carryY;
+    double[] pendingX, pendingY;
     /** The position before the last step, to interpolate from. */
     double[] previousX, previousY;
 
-    double[] mass, friction, maxSpeed;
-    /** The maxSpeed less {@link #MARGIN}, and never 0 nor infinite, to spare the kernel branches. */
-    double[] cap;
-    /** See {@link Coefficients}. */
-    double[] decay, gain, lag;
+    /** The coefficients of {@link Kernel}; they follow from the state, for one dt and integrator. */
+    double[] decay, gain, cap;
+    /** Two more, which many blocks may have in common: these are not to be written. */
+    double[] before, after;
 
-    /** Whether any row may have a force for the next step; if not, fx and fy are 0 throughout. */
-    boolean forced;
-    /** Whether any row may have an impulse carried; if not, carryX and carryY are 0 throughout. */
-    private boolean carried;
-    /** Whether the frame in hand has forces; if not, frameX and frameY mean nothing. */
-    private boolean framed;
-    /** Whether any row may have a maxSpeed below rest. */
-    private boolean pinned;
-    /**
-     * By block of a world's table, what Kernel knows: if positive, for how many more steps without forces its rows are
-     * calm, or that Kernel is to find out; if negative, that none is above its cap; 0 if nothing.
-     */
-    byte[] calm;
-    /** How many rows of a nursery are taken. */
-    private final AtomicInteger taken = new AtomicInteger();
+    /** The force that a frame gives to each of its steps, while these run. */
+    double[] frameX, frameY;
+
+    /** The index in the table of what the arrays begin with. */
+    final int origin;
+    /** The first row, and the end of those in use. */
+    final int start;
+
+    int end;
+
+    /** Which row may have a force for the next step: its number, or {@link #NONE}, or {@link #MANY}. */
+    int pushed = NONE;
+    /** Which may have a pending impulse. */
+    int pending = NONE;
+    /** Which may have a force of the frame in hand; where none has, frameX and frameY are 0. */
+    int framed = NONE;
+
+    /** Whether there may be a row that is frozen, or whose top speed is below rest; once true, it is so for good. */
+    boolean still;
+    /** Whether nothing moves, pushes or has moved in the last step, so that a step would change nothing. */
+    boolean asleep;
+    /** A row that moved when it was last looked at: where to look first. */
+    int mover;
+    /** What the coefficients are for; a negative dt if for nothing. */
+    double dt = -1;
+
+    int integrator;
 
     private double[][] all;
-    private Integrator how;
-    private double dt;
 
-    /** What a step has to do besides: renew the coefficients, keep the positions, spread a frame's forces. */
-    private boolean renew, settle, spread;
-    /** How to spread them; see {@link #spread}. */
-    private double before, after, perSecond;
-
-    private boolean repeated;
-
-    Columns(World world, int capacity) {
-        this.world = world;
-        forced = carried = pinned = world == null;
-        resize(capacity);
+    /** The rows from one on, in the arrays of another block. */
+    Columns(Columns other, int start) {
+        origin = other.origin;
+        this.start = end = mover = start;
+        use(other.all.clone(), other.id);
     }
 
-    /** Gives a unit a row outside any world, all zero. */
-    static void adopt(Unit unit) {
-        while (true) {
-            Columns table = nursery.get();
-            int row = table.taken.getAndIncrement();
-            if (row < NURSERY) {
-                unit.columns = table;
-                unit.row = row;
-                return;
-            }
-            nursery.compareAndSet(table, new Columns(null, NURSERY));
-        }
+    /** The first rows of new arrays. */
+    Columns(int origin, int capacity) {
+        this.origin = origin;
+        start = 0;
+        use(arrays(capacity), new long[capacity]);
     }
 
-    private void resize(int capacity) {
-        double[][] a = new double[COUNT][];
-        for (int k = 0; k < COUNT; k++) {
-            // Not all of one size: arrays that begin at the same place of a page crowd one another out of the cache.
-            int length = capacity + k * Math.min(capacity / 64, 24);
-            a[k] = all == null ? new double[length] : Arrays.copyOf(all[k], length);
-        }
-        all = a;
-        id = Arrays.copyOf(id, capacity);
-        calm = new byte[capacity / BLOCK + 1];
+    private static double[][] arrays(int capacity) {
+        // Up to a cache line more: arrays that begin at the same place of a page crowd one another out.
+        double[][] arrays = new double[COUNT][capacity + Math.min(capacity / 64, 8)];
+        Arrays.fill(arrays[MASS], 1);
+        return arrays;
+    }
+
+    /** Has the rows in arrays of their own, with room for more. */
+    void grow(int capacity) {
+        move(arrays(capacity), new long[capacity]);
+    }
+
+    /** Has the rows in the arrays of another block, too. */
+    void share(Columns other) {
+        move(other.all.clone(), other.id);
+    }
+
+    private void move(double[][] arrays, long[] ids) {
+        for (int k = 0; k < COUNT; k++) System.arraycopy(all[k], start, arrays[k], start, end - start);
+        System.arraycopy(id, start, ids, start, end - start);
+        use(arrays, ids);
+        dt = -1;
+    }
+
+    private void use(double[][] arrays, long[] ids) {
+        all = arrays;
+        id = ids;
         int i = 0;
-        x = a[i++];
-        y = a[i++];
-        vx = a[i++];
-        vy = a[i++];
-        mass = a[i++];
-        friction = a[i++];
-        maxSpeed = a[i++];
-        cap = a[i++];
-        decay = a[i++];
-        gain = a[i++];
-        lag = a[i++];
-        fx = a[i++];
-        fy = a[i++];
-        carryX = a[i++];
-        carryY = a[i++];
-        previousX = a[i++];
-        previousY = a[i++];
-        frameX = a[i++];
-        frameY = a[i++];
+        x = all[i++];
+        y = all[i++];
+        vx = all[i++];
+        vy = all[i++];
+        mass = all[i++];
+        friction = all[i++];
+        maxSpeed = all[i++];
+        frozen = all[i++];
+        fx = all[i++];
+        fy = all[i++];
+        pendingX = all[i++];
+        pendingY = all[i++];
+        previousX = all[i++];
+        previousY = all[i++];
+        decay = all[i++];
+        gain = all[i++];
+        cap = all[i++];
+        frameX = all[i++];
+        frameY = all[i++];
+        own();
+    }
+
+    /** Has shares of its own. */
+    void own() {
+        before = all[COUNT - 2];
+        after = all[COUNT - 1];
     }
 
     int capacity() {
-        return x.length;
+        return id.length;
     }
 
-    /** Makes room for n rows. */
-    void reserve(int n) {
-        if (n > capacity()) resize(Math.max(n, 2 * capacity()));
+    /** Where a loop over all rows ends. */
+    int lanes() {
+        return start + lanes(end - start);
     }
 
-    /** All that a unit's future depends on. The other columns follow from these, or last for a frame. */
+    static int lanes(int rows) {
+        return (rows + LANES - 1) / LANES * LANES;
+    }
+
+    /** All that a unit's future depends on, and where it is drawn. */
     double[][] state() {
-        return new double[][] {x, y, vx, vy, mass, friction, maxSpeed, fx, fy, carryX, carryY, previousX, previousY};
+        return Arrays.copyOf(all, FOLLOWING);
     }
 
-    /** Row i of this table becomes row j of another, which may be this one. */
-    void copyRow(int i, Columns to, int j) {
-        to.id[j] = id[i];
-        to.disturb(j);
-        copyCells(i, to, j, 0, to == this ? FORCES : COEFFICIENTS, true);
-        copyCells(i, to, j, FORCES, CARRIES, forced);
-        copyCells(i, to, j, CARRIES, PREVIOUS, carried);
-        copyCells(i, to, j, FRAMES, COUNT, to == this && framed);
-        if (to == this) {
-            copyCells(i, to, j, PREVIOUS, FRAMES, true);
-        } else {
-            to.forced |= to.fx[j] != 0 || to.fy[j] != 0;
-            to.carried |= to.carryX[j] != 0 || to.carryY[j] != 0;
-            to.settle(j, j + 1);
-            to.update(j);
-        }
+    /** Follows a force on a row. */
+    void push(int i) {
+        int p = pushed;
+        if (p != i && p != MANY) pushed = join(p, i);
     }
 
-    private void copyCells(int i, Columns to, int j, int first, int end, boolean used) {
-        for (int k = first; k < end; k++) to.all[k][j] = used ? all[k][i] : 0;
+    static int join(int a, int b) {
+        return a == b || b == NONE ? a : a == NONE ? b : MANY;
     }
 
-    /** The first n rows of another table become those of this one; without the frame that is in hand, if one is. */
-    void copyRows(int n, Columns to, boolean interpolating) {
-        to.reserve(n);
-        Arrays.fill(to.calm, (byte) 0);
-        System.arraycopy(id, 0, to.id, 0, n);
-        copy(0, FORCES, n, to, true);
-        copy(FORCES, CARRIES, n, to, forced);
-        copy(CARRIES, PREVIOUS, n, to, carried);
-        if (interpolating) copy(PREVIOUS, FRAMES, n, to, true);
-        else to.settle(0, n);
-        to.forced = forced;
-        to.carried = carried;
-        to.pinned = pinned;
-        to.dt = dt;
-        to.how = how;
+    /** Follows a change after which a row may move. */
+    void wake(int i) {
+        asleep = false;
+        mover = i;
     }
 
-    private void copy(int first, int end, int n, Columns to, boolean used) {
-        for (int k = first; k < end; k++) {
-            if (used) System.arraycopy(all[k], 0, to.all[k], 0, n);
-            else Arrays.fill(to.all[k], 0, n, 0);
-        }
-    }
-
-    /** Refuses a row whose state was written from outside, if no unit can have come to it. */
-    void check(int i) {
-        Check.finite("x", x[i]);
-        Check.finite("y", y[i]);
-        Check.finite("x - previousX", x[i] - Check.finite("previousX", previousX[i])); // or they cannot be
-        Check.finite("y - previousY", y[i] - Check.finite("previousY", previousY[i])); // interpolated
-        Check.mass(mass[i]);
-        Check.friction(friction[i]);
-        double most = Math.min(Check.maxSpeed(maxSpeed[i]), Kernel.FASTEST);
-        if (most < Kernel.REST) most = 0;
-        Check.velocity("vx", vx[i], most);
-        Check.velocity("vy", vy[i], most);
-        double speed = Math.sqrt(vx[i] * vx[i] + vy[i] * vy[i]);
-        if (!(speed <= most)) throw Check.refused("speed", "at most " + most + " m/s", speed);
-        Check.held("fx", fx[i]);
-        Check.held("fy", fy[i]);
-        Check.held("carryX", carryX[i]);
-        Check.held("carryY", carryY[i]);
-    }
-
-    /** Works out what follows from the state of the first n rows, which was written from outside. */
-    void follow(int n) {
-        forced = carried = pinned = true;
-        for (int i = 0; i < n; i++) update(i);
-    }
-
-    /**
-     * A hash of the order and state of the first n rows, that goes on from h. The change of a single bit always shows,
-     * since each step can be undone; and a column of zeros adds nothing, so that it can be left out.
-     */
-    long hash(long h, int n, boolean interpolating) {
-        for (int i = 0; i < n; i++) {
-            long row = id[i] * 3 + mix(x[i]) * 5 + mix(y[i]) * 7 + mix(vx[i]) * 11 + mix(vy[i]) * 13;
-            row += mix(mass[i]) * 17 + mix(friction[i]) * 19 + mix(maxSpeed[i]) * 23;
-            if (forced) row += mix(fx[i]) * 29 + mix(fy[i]) * 31;
-            if (carried) row += mix(carryX[i]) * 37 + mix(carryY[i]) * 41;
-            if (interpolating) row += mix(previousX[i]) * 43 + mix(previousY[i]) * 47;
-            h = Clock.mix(h, row);
-        }
-        return h;
-    }
-
-    private static long mix(double v) {
-        long bits = Double.doubleToRawLongBits(v + 0.0) * 0x9E3779B97F4A7C15L; // -0.0 is 0.0
-        return bits ^ (bits >>> 32);
-    }
-
-    /** The rows' units are where they are: nothing to interpolate from. */
-    void settle(int from, int to) {
-        System.arraycopy(x, from, previousX, from, to - from);
-        System.arraycopy(y, from, previousY, from, to - from);
-    }
-
-    /** Follows a change of a row's velocity, cap or decay. */
-    void disturb(int i) {
-        calm[i / BLOCK] = 0;
+    /** Follows a change of what the coefficients follow from. */
+    void renew() {
+        dt = -1;
+        asleep = false;
     }
 
     void clearForces(int i) {
-        fx[i] = fy[i] = frameX[i] = frameY[i] = carryX[i] = carryY[i] = 0;
+        fx[i] = fy[i] = pendingX[i] = pendingY[i] = frameX[i] = frameY[i] = 0;
     }
 
-    /** Follows a change of a row's mass, friction or maxSpeed. */
-    void update(int i) {
-        cap[i] = Math.max(Kernel.REST, Math.min(maxSpeed[i] * (1 - MARGIN), TOP));
-        pinned |= maxSpeed[i] < Kernel.REST;
-        disturb(i);
-        if (how != null) coefficients(i, i + 1, dt, how);
+    /** The unit of a row is where it is: nothing to interpolate from. */
+    void settle(int i) {
+        previousX[i] = x[i];
+        previousY[i] = y[i];
     }
 
-    private void coefficients(int from, int to, double dt, Integrator how) {
-        Coefficients.of(this, from, to, dt, how);
-        for (int i = from; pinned && i < to; i++) {
-            if (maxSpeed[i] < Kernel.REST) decay[i] = gain[i] = 0; // nothing moves it
-        }
+    void settle() {
+        System.arraycopy(x, start, previousX, start, end - start);
+        System.arraycopy(y, start, previousY, start, end - start);
     }
 
-    /**
-     * Steps every one of the first n rows, on the threads of a team unless that is null.
-     *
-     * @param interpolated whether to keep the positions before the step
-     */
-    void stepAll(int n, double dt, Integrator how, boolean interpolated, Team team) {
-        renew = dt != this.dt || how != this.how;
-        settle = interpolated;
-        this.dt = dt;
-        this.how = how;
-        if (team == null) stepRows(0, n);
-        else team.step(this, n);
-        forced = spread = false;
+    /** What was the position becomes the previous one, and the other way round. */
+    void swapPositions() {
+        all[X] = previousX;
+        all[Y] = previousY;
+        all[PREVIOUS_X] = previousX = x;
+        all[PREVIOUS_Y] = previousY = y;
+        x = all[X];
+        y = all[Y];
     }
 
-    /** The part of stepAll that is done for each row; in blocks that stay in the first-level cache from pass to pass. */
-    void stepRows(int from, int to) {
-        for (int i = from; i < to; i += BLOCK) {
-            int end = Math.min(i + BLOCK, to);
-            if (renew) renew(i, end);
-            if (spread) spreadRows(i, end);
-            if (settle) settle(i, end);
-            Kernel.step(this, i, end, dt, how);
-        }
+    /** Row i of this block becomes row j of another, which may be this one. */
+    void copyRow(int i, Columns other, int j) {
+        other.id[j] = id[i];
+        for (int k = 0; k < COUNT; k++) other.all[k][j] = all[k][i];
+        if (other != this) other.dt = -1;
+        other.wake(j);
+        if (frozen[i] != 0 || maxSpeed[i] < 1e-100) other.still = true; // and more seldom than this block's may say
+        if (fx[i] != 0 || fy[i] != 0) other.push(j);
+        if (pendingX[i] != 0 || pendingY[i] != 0) other.pending = join(other.pending, j);
+        if (frameX[i] != 0 || frameY[i] != 0) other.framed = join(other.framed, j);
     }
 
-    private void renew(int from, int to) {
-        coefficients(from, to, dt, how);
-        if (calm[from / BLOCK] > 0 && Kernel.disturbed(decay, from, to)) disturb(from);
+    /** The rows from one on are no longer in use. */
+    void clear(int from) {
+        for (double[] column : all) Arrays.fill(column, from, end, 0);
+        Arrays.fill(mass, from, end, 1);
+        Arrays.fill(cap, from, end, 1);
+        Arrays.fill(id, from, end, 0);
+        end = from;
     }
 
-    /** Steps row i alone, whatever step the table's coefficients are for. */
-    void stepOne(int i, double dt, Integrator how) {
-        coefficients(i, i + 1, dt, how);
-        Kernel.stepRow(this, i, dt, how);
-        update(i);
-        settle(i, i + 1);
-    }
-
-    /**
-     * A frame in which no step fell due, and which left the clock's remainder longer by {@code elapsed}: the forces'
-     * impulse waits for the step that will cover that time.
-     */
-    void carry(int n, double elapsed) {
-        if (!forced) return;
-        carry(carryX, fx, n, elapsed);
-        carry(carryY, fy, n, elapsed);
-        forced = false;
-        carried = true;
-    }
-
-    private static void carry(double[] carry, double[] f, int n, double elapsed) {
-        if (n < Kernel.FEW) for (int i = 0; i < n; i++) carryRow(carry, f, i, elapsed);
-        else for (int i = 0; i < n; i++) carryRow(carry, f, i, elapsed); // a loop that is always long: see FEW
-    }
-
-    private static void carryRow(double[] carry, double[] f, int i, double elapsed) {
-        carry[i] += f[i] * elapsed;
-        f[i] = 0;
-    }
-
-    /**
-     * A frame whose steps cover {@code covered} seconds. The remainder was {@code before} and is {@code after}, so the
-     * forces F of this frame acted for covered − before + after. Of their impulse F·after is for later; the rest, with
-     * what was carried, is spread evenly over the steps: (carry + F (covered − before)) / covered, written so that a
-     * constant force is passed on to the bit. It is done with the next step, or by {@link #spreadAll} before.
-     *
-     * @param repeated whether there is more than one step
-     */
-    void spread(double before, double after, double covered, boolean repeated) {
-        framed = spread = forced || carried;
-        this.before = before;
-        this.after = after;
-        perSecond = 1 / Math.max(covered, 1e-9); // less, of variable steps only, would overflow
-        this.repeated = repeated;
-        carried = after > 0 && forced;
-        forced |= framed;
-    }
-
-    void spreadAll(int n) {
-        if (spread) spreadRows(0, n);
-        spread = false;
-    }
-
-    private void spreadRows(int from, int to) {
-        spread(carryX, fx, from, to, before, after, perSecond);
-        spread(carryY, fy, from, to, before, after, perSecond);
-        if (!repeated) return;
-        System.arraycopy(fx, from, frameX, from, to - from);
-        System.arraycopy(fy, from, frameY, from, to - from);
-    }
-
-    private static void spread(
-            double[] carry, double[] f, int from, int to, double before, double after, double perSecond) {
-        if (to - from < Kernel.FEW) {
-            for (int i = from; i < to; i++) spreadRow(carry, f, i, before, after, perSecond);
-        } else {
-            for (int i = from; i < to; i++) spreadRow(carry, f, i, before, after, perSecond);
-        }
-    }
-
-    private static void spreadRow(double[] carry, double[] f, int i, double before, double after, double perSecond) {
-        double force = f[i];
-        f[i] = force + (carry[i] - force * before) * perSecond;
-        carry[i] = force * after;
-    }
-
-    /** The frame's forces, for its next step. */
-    void repeatFrame(int n) {
-        if (!framed) return;
-        System.arraycopy(frameX, 0, fx, 0, n);
-        System.arraycopy(frameY, 0, fy, 0, n);
-        forced = true;
-    }
-
-    void dropStepForces(int n) {
-        if (!forced) return;
-        Arrays.fill(fx, 0, n, 0);
-        Arrays.fill(fy, 0, n, 0);
-        forced = false;
+    /** The rows of another block become those of this one; the coefficients are yet to be worked out. */
+    void copy(Columns other) {
+        int rows = other.end - start;
+        for (int k = 0; k < FOLLOWING; k++) System.arraycopy(other.all[k], start, all[k], start, rows);
+        System.arraycopy(other.id, start, id, start, rows);
+        if (end > other.end) clear(other.end);
+        end = other.end;
+        pushed = other.pushed;
+        pending = other.pending;
+        framed = NONE;
+        still = other.still;
+        mover = other.mover;
+        renew();
     }
 }

@@ -2,22 +2,26 @@ package yarts.physics;
 
 import java.util.AbstractList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Objects;
 import java.util.RandomAccess;
+import java.util.Set;
+import java.util.function.LongFunction;
 
-/** The handles of the rows. Its iterator fails fast, and its remove moves the last unit into the gap. */
+/** The handles of a table's rows. Its iterator fails fast, and its remove moves the last unit into the gap. */
 final class Members extends AbstractList<Unit> implements RandomAccess {
-    private final Columns columns;
+    private final Table table;
     private Unit[] list = new Unit[16];
     private int size;
     /** By id; null until somebody asks. */
     private Map<Long, Unit> byId;
 
-    /** The rows of a world's table, which nobody else adds or takes away. */
-    Members(Columns columns) {
-        this.columns = columns;
+    /** The rows of a table to which nobody else adds, and from which nobody else takes away. */
+    Members(Table table) {
+        this.table = table;
     }
 
     Unit[] array() {
@@ -27,82 +31,96 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
     Unit find(long id) {
         if (byId == null) {
             byId = new HashMap<>();
-            for (int i = 0; i < size; i++) byId.put(columns.id[i], list[i]);
+            for (int i = 0; i < size; i++) byId.put(list[i].getId(), list[i]);
         }
         return byId.get(id);
     }
 
     void append(Unit unit, long id) {
         reserve(size + 1);
-        unit.columns.copyRow(unit.row, columns, size);
-        columns.id[size] = id;
-        place(unit, columns, size++);
+        unit.clearForces();
+        unit.move(table.append(), Table.row(size));
+        unit.columns.settle(unit.row);
+        unit.columns.id[unit.row] = id;
+        list[size++] = unit;
         if (byId != null) byId.put(id, unit);
         modCount++;
     }
 
-    private void reserve(int n) {
-        columns.reserve(n);
-        if (n > list.length) list = Arrays.copyOf(list, columns.capacity());
+    /** The units with the ids of another table; a factory makes those that are missing here. */
+    Unit[] wanted(Table saved, LongFunction<? extends Unit> factory) {
+        Unit[] wanted = new Unit[saved.size()];
+        Set<Unit> made = Collections.newSetFromMap(new IdentityHashMap<>());
+        for (int i = 0; i < wanted.length; i++) {
+            long id = saved.id(i);
+            wanted[i] = find(id);
+            if (wanted[i] != null) continue;
+            wanted[i] = Check.notNull("the factory's unit", factory.apply(id));
+            if (wanted[i].isMember() || !made.add(wanted[i])) {
+                throw new IllegalStateException("the factory must make a new unit for id " + id + ", not " + wanted[i]);
+            }
+        }
+        return wanted;
     }
 
-    /** The first n of some units become those of this world; their rows are to be filled. */
-    void set(Unit[] wanted, long[] ids, int n) {
-        if (n == size && begins(wanted, ids, n)) return;
+    private void reserve(int n) {
+        if (n > list.length) list = Arrays.copyOf(list, Math.max(n, 2 * list.length));
+    }
+
+    /** Some units become those of the table, which is about to become another. */
+    void set(Unit[] wanted, Table saved) {
+        int n = saved.size();
         for (int i = 0; i < n; i++) {
-            if (wanted[i].getWorld() != null && wanted[i].columns != columns) {
+            if (wanted[i].isMember() && !has(wanted[i])) {
                 throw new IllegalStateException("a unit of the snapshot is in another world by now: " + wanted[i]);
             }
         }
-        for (int i = 0; i < n; i++) if (wanted[i].columns == columns) list[wanted[i].row] = null; // it stays
-        for (int i = 0; i < size; i++) if (list[i] != null) release(list[i]);
+        if (n == size && are(wanted, saved)) return;
+        for (int i = 0; i < n; i++) if (has(wanted[i])) list[wanted[i].index()] = null; // it stays
+        for (int i = 0; i < size; i++) if (list[i] != null) list[i].leave();
         Arrays.fill(list, 0, size, null);
         reserve(n);
-        for (int i = 0; i < n; i++) place(wanted[i], columns, i);
+        System.arraycopy(wanted, 0, list, 0, n);
         size = n;
         byId = null;
         modCount++;
     }
 
-    private boolean begins(Unit[] wanted, long[] ids, int n) {
-        for (int i = 0; i < n; i++) if (wanted[i] != list[i] || ids[i] != columns.id[i]) return false;
+    private boolean are(Unit[] wanted, Table saved) {
+        for (int i = 0; i < size; i++) if (wanted[i] != list[i] || saved.id(i) != list[i].getId()) return false;
         return true;
+    }
+
+    /** Places each at its row. */
+    void place() {
+        for (int i = 0; i < size; i++) list[i].place(table.at(i), Table.row(i));
+    }
+
+    boolean has(Unit unit) {
+        int i = unit.index();
+        return i < size && list[i] == unit;
     }
 
     @Override
     public Unit remove(int index) {
         Unit unit = get(index);
         if (byId != null) byId.remove(unit.getId());
-        release(unit);
         Unit last = list[--size];
+        Columns gap = unit.columns;
+        unit.leave();
         list[size] = null;
         if (last != unit) {
-            columns.copyRow(size, columns, index);
-            place(last, columns, index);
+            last.move(gap, Table.row(index));
+            list[index] = last;
         }
+        table.removeLast();
         modCount++;
         return unit;
     }
 
     @Override
     public void clear() {
-        for (int i = 0; i < size; i++) release(list[i]);
-        Arrays.fill(list, 0, size, null);
-        size = 0;
-        byId = null;
-        modCount++;
-    }
-
-    private void release(Unit unit) {
-        int row = unit.row;
-        Columns.adopt(unit);
-        columns.copyRow(row, unit.columns, unit.row);
-    }
-
-    private void place(Unit unit, Columns table, int row) {
-        list[row] = unit;
-        unit.columns = table;
-        unit.row = row;
+        while (size > 0) remove(size - 1);
     }
 
     @Override
@@ -123,6 +141,6 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
 
     @Override
     public int indexOf(Object o) {
-        return o instanceof Unit && ((Unit) o).columns == columns ? ((Unit) o).row : -1;
+        return o instanceof Unit && has((Unit) o) ? ((Unit) o).index() : -1;
     }
 }

@@ -4,16 +4,13 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.RecursiveAction;
 import java.util.concurrent.RejectedExecutionException;
 
-/** Several threads that step a table together, each a slice of its rows. Rows do not depend on one another. */
-final class Team {
-    /** Fewer rows are stepped sooner than a thread wakes. */
-    static final int LEAST = 16 * 1024;
-
+/** The threads of a pool and the caller's, each of which does a slice of the work. */
+final class Team implements Crew {
     private final ForkJoinPool pool;
     private final int least;
     private final Slice[] slices;
 
-    /** A thread gets no fewer than some least rows. */
+    /** A slice has no fewer than some least things to do: less is done sooner than a thread wakes. */
     Team(ForkJoinPool pool, int least) {
         this.pool = pool;
         this.least = least;
@@ -22,14 +19,14 @@ final class Team {
         for (int i = 0; i < slices.length; i++) slices[i] = new Slice();
     }
 
-    void step(Columns table, int rows) {
-        int count = Math.max(1, Math.min(slices.length, rows / least));
-        int blocks = (rows + Columns.BLOCK - 1) / Columns.BLOCK;
+    @Override
+    public void share(Work work, int n) {
+        int count = Math.max(1, Math.min(slices.length, n / least));
         for (int i = count - 1; i >= 0; i--) {
             Slice slice = slices[i];
-            slice.table = table;
-            slice.from = (int) ((long) blocks * i / count) * Columns.BLOCK;
-            slice.to = Math.min((int) ((long) blocks * (i + 1) / count) * Columns.BLOCK, rows);
+            slice.work = work;
+            slice.start = (int) ((long) n * i / count);
+            slice.end = (int) ((long) n * (i + 1) / count);
             if (i > 0) slice.start();
             else slice.compute();
         }
@@ -42,8 +39,8 @@ final class Team {
 
     private final class Slice extends RecursiveAction {
         private static final long serialVersionUID = 1;
-        private transient Columns table;
-        private int from, to;
+        private transient Work work;
+        private int start, end;
 
         void start() {
             reinitialize();
@@ -56,7 +53,7 @@ final class Team {
 
         @Override
         protected void compute() {
-            table.stepRows(from, to);
+            work.run(start, end);
         }
     }
 }

@@ -26,8 +26,10 @@ public final class Timestep {
     }
 
     /**
-     * Steps of equal length. A frame's time that does not fill a step waits for the next frame. Time is counted in
-     * whole nanoseconds against the rate, so that no step is lost however long the game runs.
+     * Steps of equal length. A frame's time that does not fill a step waits for the next frame, and the forces' impulse
+     * with it. Time is counted in integers, so that no step is lost however long the game runs: whole nanoseconds are
+     * exact, and other times are rounded to 1e-9 of a step, with the error carried on. So n frames of 1.0/n seconds are
+     * one second.
      *
      * @param stepsPerSecond the rate, from 1 to 1,000,000
      * @return a policy that catches up by at most a quarter of a second at a time
@@ -55,8 +57,8 @@ public final class Timestep {
     }
 
     /**
-     * Limits how many steps one {@link World#advance} may run. The time beyond is dropped, and counted in {@link
-     * World#getDroppedTime()}: a game that cannot keep up slows down rather than fall behind further with every frame.
+     * Limits how many steps one {@link World#advance} may run. The time beyond is dropped, with the forces' share of it,
+     * and counted in {@link World#getDroppedTime()}: a game that cannot keep up slows down rather than fall behind further with every frame.
      *
      * @param n the most steps, at least 1
      * @return a policy like this one with that limit

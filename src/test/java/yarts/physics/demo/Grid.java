@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /** Finds points that are close to each other: square cells, each with a linked list of the points in it. No garbage. */
 final class Grid {
-    /** Takes two points by their numbers. */
+    /** Takes two points by their indices. */
     interface Pair {
         void accept(int i, int j);
     }

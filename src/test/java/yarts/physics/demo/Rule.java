@@ -1,8 +1,8 @@
 package yarts.physics.demo;
 
-import yarts.physics.ArticleUnit;
 import yarts.physics.Integrator;
 import yarts.physics.Unit;
+import yarts.physics.source.ArticleUnit;
 
 /**
  * Ways to work out the velocity after a step, from m dv/dt = F − f v: three that games use, and the library's three. In all,
@@ -39,11 +39,11 @@ public enum Rule {
         return unit.vx;
     }
 
-    private static Step library(Integrator how) {
+    private static Step library(Integrator integrator) {
         return (v, force, friction, mass, dt) -> {
             Unit unit = new Unit(mass).setFriction(friction).setVelocity(v, 0);
             unit.applyForce(force, 0);
-            unit.integrate(dt, how);
+            unit.integrate(dt, integrator);
             return unit.getVx();
         };
     }

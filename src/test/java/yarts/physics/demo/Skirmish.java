@@ -57,9 +57,9 @@ public final class Skirmish {
     }
 
     /** The west strikes through the centre, the east in two wings; each tank has its place in the formation. */
-    private Tank recruit(int number, boolean west) {
-        double back = 10 + 4.4 * (number / ROWS) + random.nextDouble();
-        double across = (number % ROWS - (ROWS - 1) / 2.0) * 5.4 + random.nextDouble();
+    private Tank recruit(int index, boolean west) {
+        double back = 10 + 4.4 * (index / ROWS) + random.nextDouble();
+        double across = (index % ROWS - (ROWS - 1) / 2.0) * 5.4 + random.nextDouble();
         double goal = west ? 0.55 * across : 0.55 * across + Math.copySign(46, across);
         double middle = HEIGHT / 2;
         return west
@@ -68,9 +68,9 @@ public final class Skirmish {
     }
 
     /** Plays on in a new world: the units take their state along. */
-    void use(Integrator how, Timestep timestep) {
+    void use(Integrator integrator, Timestep timestep) {
         if (world != null) world.clear();
-        world = new World(how, timestep);
+        world = new World(integrator, timestep);
         world.setStepListener((w, dt) -> command(dt));
         for (Tank tank : tanks) world.add(tank);
     }
@@ -83,7 +83,7 @@ public final class Skirmish {
 
     /** Plays one tick. */
     public void tick() {
-        world.step(1.0 / TICKS_PER_SECOND);
+        world.step();
     }
 
     /** What the game does before each step. */

@@ -60,7 +60,7 @@ final class Game {
     void run(List<Command> commands) {
         for (Command command : commands) obey(command);
         for (int i = 0; i < world.size(); i++) ((Tank) world.get(i)).drive();
-        world.step(1.0 / RATE);
+        world.step();
     }
 
     private void obey(Command command) {
@@ -100,7 +100,7 @@ final class Game {
             if (distance == 0 || distance > BLAST) continue;
             double kick = 1e6 * StrictMath.exp(-distance / 20) / distance;
             tank.applyImpulse(kick * dx, kick * dy);
-            if (draw() < 0.5 && --tank.health == 0) i.remove(); // the last tank takes its number
+            if (draw() < 0.5 && --tank.health == 0) i.remove(); // the last tank takes its index
         }
     }
 
@@ -126,9 +126,7 @@ final class Game {
 
     /** The world's snapshot, and behind it what the game adds: the same bytes from whichever machine. */
     byte[] save() {
-        Snapshot snapshot = new Snapshot();
-        world.save(snapshot);
-        byte[] bytes = snapshot.toBytes();
+        byte[] bytes = world.save().toBytes();
         ByteArrayOutputStream save = new ByteArrayOutputStream();
         try (DataOutputStream out = new DataOutputStream(save)) {
             out.writeInt(bytes.length);

@@ -90,7 +90,8 @@ class LockstepTest {
         FRICTION("friction", Unit::getFriction, u -> u.setFriction(Math.nextUp(u.getFriction()))),
         MAX_SPEED("maxSpeed", Unit::getMaxSpeed, u -> u.setMaxSpeed(Math.nextUp(u.getMaxSpeed()))),
         FX("fx", Unit::getFx, u -> u.applyForce(Double.MIN_VALUE, 0)),
-        FY("fy", Unit::getFy, u -> u.applyForce(0, Double.MIN_VALUE));
+        FY("fy", Unit::getFy, u -> u.applyForce(0, Double.MIN_VALUE)),
+        FROZEN("frozen", u -> u.isFrozen() ? 1 : 0, u -> u.setFrozen(true));
 
         private final String field;
         private final ToDoubleFunction<Unit> value;
@@ -111,19 +112,24 @@ class LockstepTest {
     @ParameterizedTest
     @EnumSource
     void aWrongBitIsFoundBeforeTheNextTickAndNamed(Wrong wrong) throws Exception {
-        int tick = 33, number = 60;
+        int tick = 33, index = 60;
         Plan plan = new Plan(8, 3, 100, List.of());
         try (Relay relay = new Relay(plan)) {
             List<Player> players = play(plan, relay, 4, 1, game -> {
-                if (game.tick() == tick) wrong.change.accept(game.world.get(number));
+                if (game.tick() == tick) wrong.change.accept(game.world.get(index));
             });
             for (Player player : players) assertEquals(tick, player.game.tick());
             assertEquals(tick, relay.hashes().size());
-            Unit good = players.get(0).game.world.get(number),
-                    bad = players.get(1).game.world.get(number);
+            Unit good = players.get(0).game.world.get(index),
+                    bad = players.get(1).game.world.get(index);
             String line =
                     "unit " + good.getId() + " " + wrong.field + ": " + wrong.show(bad) + " | " + wrong.show(good);
-            assertEquals("player 1 differs at tick " + tick + ":\n" + line + "\n", relay.desync());
+            List<String> report = relay.desync().lines().toList();
+            assertEquals(List.of("player 1 differs at tick " + tick + ":", line), report.subList(0, 2));
+            for (String rest : report.subList(2, report.size())) { // put elsewhere, it is drawn there, too
+                assertTrue(rest.startsWith("unit " + good.getId() + " previous"), rest);
+                assertTrue(wrong == Wrong.X || wrong == Wrong.Y, rest);
+            }
         }
     }
 

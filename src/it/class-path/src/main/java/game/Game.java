@@ -33,7 +33,8 @@ public final class Game {
             world.advance(1 / rate);
         }
         long ticks = world.getTick();
-        require(ticks == 599 || ticks == 600, "ten seconds are 600 ticks, the last perhaps due: " + ticks);
+        long due = (long) (frames / rate * 60);
+        require(ticks == due, "n frames of 1/n s are a second, and so 60 ticks: " + ticks + ", not " + due);
         require(world.getDroppedTime() == 0, "no time is dropped");
         for (Unit unit : world) compare((Tank) unit, ticks);
     }

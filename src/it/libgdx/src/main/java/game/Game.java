@@ -71,7 +71,7 @@ public final class Game extends ApplicationAdapter {
     @Override
     public void dispose() {
         long ticks = world.getTick();
-        double rounding = frames * 0.5e-9; // s: each frame's time is taken as whole nanoseconds
+        double rounding = frames * 0.5e-9 / RATE; // s: each frame's time is rounded to 1e-9 of a tick
         require(world.getDroppedTime() == 0, "no time was dropped");
         double covered = (ticks + world.getAlpha()) / RATE;
         near(elapsed, covered, rounding + 1e-6 / RATE, "the ticks and the part of one");
@@ -90,7 +90,7 @@ public final class Game extends ApplicationAdapter {
 
         World replay = world();
         Unit[] again = squad(replay);
-        for (long tick = 0; tick < ticks; tick++) replay.step(1.0 / RATE);
+        for (long tick = 0; tick < ticks; tick++) replay.step();
         for (int i = 0; i < squad.length; i++) {
             near(i, squad[i].getX(), 1e-3, "the squad is in line");
             require(squad[i].getX() == again[i].getX() && squad[i].getVx() == again[i].getVx(), "to the bit, replayed");

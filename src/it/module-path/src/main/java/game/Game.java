@@ -22,12 +22,14 @@ public final class Game {
 
     private Game() {}
 
-    public static void main(String[] args) throws IOException {
+    public static void main(String[] args) throws IOException, ReflectiveOperationException {
         Module physics = Unit.class.getModule();
         require(System.getProperty("java.class.path").isEmpty(), "nothing is on the class path");
         require(physics.isNamed(), "the library is a named module");
         lookInto(physics.getDescriptor());
         int classes = lookInto(physics, Path.of(args[0]));
+        Object steps = World.class.getMethod("advance", double.class).invoke(new World(), 0.1);
+        require(steps.equals(6), "a script reaches what World has from a class that is not public");
         int tanks = play();
         System.out.println("module-path: " + physics + " requires java.base alone, its jar holds " + classes
                 + " classes and no test; " + tanks + " tanks drove as the closed form says");

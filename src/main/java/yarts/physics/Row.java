@@ -1,0 +1,50 @@
+package yarts.physics;
+
+/** Where a unit's state is: a block, and a row in it. */
+abstract class Row {
+    /** Where units outside a world have their rows, so that making one takes no arrays of its own. */
+    private static Columns nursery = new Columns(0, Columns.LANES);
+
+    Columns columns;
+    int row;
+
+    /** A row outside any world. */
+    Row() {
+        adopt(this);
+    }
+
+    private static synchronized void adopt(Row unit) {
+        if (nursery.end == Columns.LANES)
+            nursery = new Columns(0, Columns.LANES); // the old one goes with its last unit
+        unit.place(nursery, nursery.end++);
+    }
+
+    /** Is from now on what a row holds. */
+    final void place(Columns columns, int row) {
+        this.columns = columns;
+        this.row = row;
+    }
+
+    /** Takes what it holds to another row. */
+    final void move(Columns columns, int row) {
+        this.columns.copyRow(this.row, columns, row);
+        place(columns, row);
+    }
+
+    /** Takes what it holds to a row outside any world, but for forces that have yet to act. */
+    void leave() {
+        Columns was = columns;
+        int wasRow = row;
+        was.clearForces(wasRow);
+        adopt(this);
+        was.copyRow(wasRow, columns, row);
+    }
+
+    /** Whether it is in a world. */
+    abstract boolean isMember();
+
+    /** Its index in the table. */
+    final int index() {
+        return columns.origin + row;
+    }
+}

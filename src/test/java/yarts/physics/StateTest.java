@@ -1,0 +1,58 @@
+package yarts.physics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.lang.reflect.Field;
+import java.lang.reflect.Modifier;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import yarts.physics.snapshot.Saves;
+
+/** What bytes cannot show of the state: fields that somebody might add, and the sign of zero in memory. */
+class StateTest {
+    /** A field is in the hash and in saves, or is worked out from those that are, or lasts for a frame. */
+    @Test
+    void noFieldIsForgotten() {
+        Stream<String> known = Stream.of(Columns.STATE);
+        Stream<String> working = Stream.of("cap", "decay", "gain", "before", "after", "frameX", "frameY");
+        assertFields(Columns.class, double[].class, Stream.concat(known, working));
+        assertFields(Columns.class, long[].class, Stream.of("id"));
+        assertFields(State.class, null, Stream.of("table", "clock", "integrator", "lastId", "interpolating"));
+        Stream<String> counts = Stream.of("tick", "regular", "remainder", "droppedSteps", "remainderError");
+        assertFields(Clock.class, null, Stream.concat(counts, Stream.of("timestep", "irregular", "dropped")));
+        assertFields(Timestep.class, null, Stream.of("rate", "maxStep", "maxSteps"));
+        assertEquals(5 + 2 * 2, Clock.STATE.length, "two sums have an error, too");
+        assertEquals(Saves.STATE, List.of(Columns.STATE), "as the document names them");
+    }
+
+    /** Of a type, or of any. */
+    private static void assertFields(Class<?> of, Class<?> type, Stream<String> expected) {
+        Set<String> names = new HashSet<>();
+        for (Field field : of.getDeclaredFields()) {
+            if (Modifier.isStatic(field.getModifiers()) || field.isSynthetic()) continue;
+            if (type == null || field.getType() == type) names.add(field.getName());
+        }
+        assertEquals(new HashSet<>(expected.toList()), names, of.getSimpleName());
+    }
+
+    @Test
+    void theSignOfZeroShowsNowhere() {
+        World world = new World();
+        for (int i = 1; i <= 100; i++) world.add(new Unit(i).setFrozen(true)).applyForce(i, -i);
+        world.advance(0.04);
+        for (double[] column : world.get(0).columns.state()) {
+            if (column == world.get(0).columns.mass) continue;
+            Arrays.fill(column, 10, 20, 0.0);
+            long hash = world.stateHash();
+            Snapshot zeros = world.save();
+            Arrays.fill(column, 10, 20, -0.0);
+            assertEquals(hash, world.stateHash());
+            assertEquals(-1, Arrays.mismatch(zeros.toBytes(), world.save().toBytes()));
+            assertEquals("", zeros.difference(world.save()));
+        }
+    }
+}

@@ -1,0 +1,40 @@
+package yarts.physics.bits;
+
+import yarts.physics.Unit;
+import yarts.physics.World;
+
+/**
+ * Loads a library, has it set bits of this thread's floating-point mode, and prints after each of the two what {@link
+ * World#checkArithmetic} says, and what a world comes to whose numbers are tiny.
+ *
+ * <pre>{@code java -cp … yarts.physics.bits.ArithmeticMain <library> <bits>}</pre>
+ */
+public final class ArithmeticMain {
+    private ArithmeticMain() {}
+
+    public static void main(String[] args) {
+        System.load(args[0]);
+        System.out.println(verdict());
+        set(Integer.parseInt(args[1]));
+        System.out.println(verdict());
+    }
+
+    /** What the library does. */
+    private static native void set(int bits);
+
+    static String verdict() {
+        World world = new World();
+        world.add(new Unit(1)).setVelocity(1e-150, 0);
+        world.step(1e-170); // to x = 1e-320, a subnormal number
+        return says() + ' ' + Long.toHexString(world.stateHash());
+    }
+
+    private static String says() {
+        try {
+            World.checkArithmetic();
+            return "passes";
+        } catch (IllegalStateException e) {
+            return e.getMessage();
+        }
+    }
+}

@@ -1,0 +1,201 @@
+package yarts.physics.bits;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.lang.reflect.AnnotatedElement;
+import java.lang.reflect.Member;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.objectweb.asm.ClassReader;
+import org.objectweb.asm.ClassVisitor;
+import org.objectweb.asm.FieldVisitor;
+import org.objectweb.asm.Handle;
+import org.objectweb.asm.MethodVisitor;
+import org.objectweb.asm.Opcodes;
+import yarts.physics.World;
+
+/**
+ * Nothing in the library can come to other bits on another JVM, at another time or in another order: its bytecode is
+ * searched for what could. {@link Offender} proves that each rule bites.
+ */
+class BytecodeTest {
+    enum Rule {
+        /** Of Math, only the exactly rounded functions of doubles, and those of integers. */
+        MATH,
+        /** Nothing of StrictMath, which is not the same everywhere if Java is translated to another language. */
+        STRICT_MATH,
+        /** Floats are made and copied, for a renderer, but not kept, and nothing is worked out with them. */
+        FLOAT,
+        /** Maps and sets without an order of their own are for looking up only. */
+        HASH_ORDER,
+        /** No clock, no setting of the machine, no thread but a pool's. */
+        SYSTEM,
+        RANDOM,
+        /** No hash that differs from one run to the next. */
+        IDENTITY,
+        /** No sum whose order is left to others. */
+        REDUCTION
+    }
+
+    private static final Set<Integer> FLOAT_ARITHMETIC = Set.of(
+            Opcodes.FADD,
+            Opcodes.FSUB,
+            Opcodes.FMUL,
+            Opcodes.FDIV,
+            Opcodes.FREM,
+            Opcodes.FNEG,
+            Opcodes.FCMPL,
+            Opcodes.FCMPG,
+            Opcodes.F2D,
+            Opcodes.F2I,
+            Opcodes.F2L,
+            Opcodes.I2F,
+            Opcodes.L2F);
+
+    @Test
+    void theLibraryKeepsEveryRule() throws Exception {
+        try (Stream<Path> files = Files.walk(SameBitsTest.classes(World.class))) {
+            List<Path> classes =
+                    files.filter(p -> p.toString().endsWith(".class")).toList();
+            String names = classes.toString();
+            for (String name :
+                    new String[] {"Kernel", "Exponential", "Simulation", "Members", "Clock$Sum", "Team$Slice"}) {
+                assertTrue(names.contains(name + ".class"), names);
+            }
+            List<String> offences = new ArrayList<>();
+            for (Path file : classes) offences.addAll(offences(file));
+            assertEquals(List.of(), offences);
+        }
+    }
+
+    @Test
+    void everyRuleBites() throws Exception {
+        List<String> expected = Stream.of(Offender.class.getDeclaredFields(), Offender.class.getDeclaredMethods())
+                .flatMap(Stream::of)
+                .filter(m -> ((AnnotatedElement) m).isAnnotationPresent(Offender.Breaks.class))
+                .map(m -> "Offender." + ((Member) m).getName() + " breaks "
+                        + ((AnnotatedElement) m)
+                                .getAnnotation(Offender.Breaks.class)
+                                .value())
+                .sorted()
+                .toList();
+        Path file = SameBitsTest.classes(Offender.class)
+                .resolve(Offender.class.getName().replace('.', '/') + ".class");
+        assertEquals(
+                String.join("\n", expected),
+                offences(file).stream()
+                        .map(s -> s.substring(0, s.indexOf(": ")))
+                        .distinct()
+                        .sorted()
+                        .collect(Collectors.joining("\n")));
+        for (Rule rule : Rule.values()) {
+            assertTrue(expected.toString().contains(" " + rule), rule + " has no offender");
+        }
+    }
+
+    /** {@return lines such as {@code Kernel.step breaks MATH: java/lang/Math.sin(D)D}} */
+    private static List<String> offences(Path file) throws IOException {
+        List<String> offences = new ArrayList<>();
+        ClassReader reader = new ClassReader(Files.readAllBytes(file));
+        String type = reader.getClassName().replaceFirst(".*/", "") + '.';
+        ClassVisitor search = new ClassVisitor(Opcodes.ASM9) {
+            @Override
+            public FieldVisitor visitField(int access, String name, String desc, String generic, Object value) {
+                if (desc.endsWith("F")) offences.add(type + name + " breaks " + Rule.FLOAT + ": " + desc);
+                return null;
+            }
+
+            @Override
+            public MethodVisitor visitMethod(int access, String name, String desc, String generic, String[] thrown) {
+                return new Method(type + name, offences);
+            }
+        };
+        reader.accept(search, ClassReader.SKIP_DEBUG);
+        return offences;
+    }
+
+    /** Searches the code of a method. */
+    private static final class Method extends MethodVisitor {
+        private final String name;
+        private final List<String> offences;
+
+        Method(String name, List<String> offences) {
+            super(Opcodes.ASM9);
+            this.name = name;
+            this.offences = offences;
+        }
+
+        private void report(Rule rule, String what) {
+            if (rule != null) offences.add(name + " breaks " + rule + ": " + what);
+        }
+
+        @Override
+        public void visitInsn(int opcode) {
+            if (FLOAT_ARITHMETIC.contains(opcode)) report(Rule.FLOAT, "opcode " + opcode);
+        }
+
+        @Override
+        public void visitMethodInsn(int opcode, String owner, String called, String desc, boolean isInterface) {
+            report(broken(owner, called, desc), owner + '.' + called + desc);
+        }
+
+        @Override
+        public void visitInvokeDynamicInsn(String called, String desc, Handle bootstrap, Object... args) {
+            for (Object arg : args) {
+                if (!(arg instanceof Handle)) continue; // a method reference, such as Math::sin
+                Handle to = (Handle) arg;
+                report(broken(to.getOwner(), to.getName(), to.getDesc()), to.toString());
+            }
+        }
+    }
+
+    /** {@return the rule that a call breaks, or null} */
+    private static Rule broken(String owner, String name, String desc) {
+        String type = owner.replaceFirst("^java/(lang|util)/", "");
+        if (type.equals("Math")) {
+            boolean integers = !desc.matches(".*[DF].*");
+            return integers || name.matches("sqrt|abs|min|max") && !desc.contains("F") ? null : Rule.MATH;
+        }
+        if (type.equals("StrictMath")) return Rule.STRICT_MATH;
+        if (name.matches("hashCode|identityHashCode") || type.equals("Objects") && name.equals("hash")) {
+            return Rule.IDENTITY;
+        }
+        if (type.equals("System") && name.equals("arraycopy")) return null;
+        if (owner.startsWith("java/time/") || type.matches("System|Runtime|Thread|Date|Calendar|Timer")) {
+            return Rule.SYSTEM;
+        }
+        if (type.matches("concurrent/TimeUnit|concurrent/locks/LockSupport")) return Rule.SYSTEM;
+        if (owner.startsWith("java/") && owner.contains("andom") || type.equals("UUID")) return Rule.RANDOM;
+        if (name.startsWith("parallel") || (owner + desc).matches(".*java/util/(stream/|concurrent/atomic/)Double.*")) {
+            return Rule.REDUCTION;
+        }
+        return isUnordered(owner) && !isLookUp(name, desc) ? Rule.HASH_ORDER : null;
+    }
+
+    private static boolean isLookUp(String name, String desc) {
+        return name.matches("get|put|remove|add|contains|containsKey|size|isEmpty|clear")
+                || name.equals("<init>") && !desc.contains(";"); // not a copy of another
+    }
+
+    private static boolean isUnordered(String owner) {
+        if (owner.startsWith("[")) return false;
+        try {
+            Class<?> type = Class.forName(owner.replace('/', '.'), false, BytecodeTest.class.getClassLoader());
+            boolean mapOrSet = Map.class.isAssignableFrom(type) || Set.class.isAssignableFrom(type);
+            return mapOrSet && !SortedMap.class.isAssignableFrom(type) && !SortedSet.class.isAssignableFrom(type);
+        } catch (ClassNotFoundException e) {
+            throw new AssertionError(e);
+        }
+    }
+}

@@ -1,0 +1,124 @@
+package yarts.physics.docs;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import yarts.physics.demo.JitterTable;
+import yarts.physics.demo.Plots;
+import yarts.physics.demo.Rule;
+import yarts.physics.demo.Skirmish;
+import yarts.physics.demo.SkirmishFilm;
+
+/** What the demo says and draws is so. */
+class DemoTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void theNaiveRuleFlipsAtEveryStepExactlyWhereZIsOver1AndTheLibraryNever() {
+        List<JitterTable.Line> lines = JitterTable.lines();
+        assertEquals(6 * 4, lines.size());
+        for (JitterTable.Line line : lines) {
+            for (int step = 1; step < line.v().length; step++) {
+                boolean expected = line.rule() == Rule.NAIVE && line.z() > 1;
+                assertEquals(expected, line.flips(step), line + ", step " + step);
+            }
+        }
+        assertEquals(4, lines.stream().filter(line -> line.flips(1)).count()); // dt = 0.15, 0.2, 0.25 and 0.3
+    }
+
+    @Test
+    void theTableFitsATerminalAndMarksEachFlip() {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        JitterTable.print(new PrintStream(bytes, true, StandardCharsets.US_ASCII));
+        String table = bytes.toString(StandardCharsets.US_ASCII);
+        assertTrue(table.lines().mapToInt(String::length).max().orElse(0) <= 100, table);
+        assertTrue(table.contains("   0.15  1.5     -5.000!      0.000       1.429       2.231"), table);
+        assertEquals(4 + 4 * 6, table.split("\\d!", -1).length - 1);
+    }
+
+    @Test
+    void thePlotsAreDrawn() throws IOException {
+        Plots.jitter(folder.resolve("jitter.png"));
+        Plots.terminalSpeed(folder.resolve("terminal-speed.png"));
+        assertDrawn(read("jitter.png"), 1240, 560, 0xD55E00, 0x0072B2, 0x009E73);
+        assertDrawn(read("terminal-speed.png"), 1000, 600, 0xD55E00, 0x0072B2, 0x009E73);
+    }
+
+    @Test
+    void theSkirmishIsFilmed() throws IOException {
+        int[] ticks = {0};
+        SkirmishFilm film = new SkirmishFilm(new Skirmish(200, 1));
+        film.shoot(folder, 36, () -> ticks[0]++);
+        assertEquals(36, ticks[0]);
+        assertDrawn(read("skirmish.png"), 960, 746, 0xE69F00, 0x56B4E9);
+        ImageReader gif = ImageIO.getImageReadersByFormatName("gif").next();
+        try (var in =
+                ImageIO.createImageInputStream(folder.resolve("skirmish.gif").toFile())) {
+            gif.setInput(in);
+            assertEquals(3, gif.getNumImages(true));
+            assertDrawn(gif.read(0), 480, 386);
+            assertNotEquals(Arrays.hashCode(pixels(gif.read(0))), Arrays.hashCode(pixels(gif.read(2))));
+        } finally {
+            gif.dispose();
+        }
+    }
+
+    @Test
+    void theSamePicturesAreTheSameBytes() throws IOException {
+        byte[][] gifs = new byte[2][];
+        for (int run = 0; run < 2; run++) {
+            new SkirmishFilm(new Skirmish(50, 1)).shoot(folder, 24, () -> {});
+            gifs[run] = Files.readAllBytes(folder.resolve("skirmish.gif"));
+        }
+        assertArrayEquals(gifs[0], gifs[1]);
+    }
+
+    @Test
+    void theSameSeedPlaysTheSameSkirmishToTheBit() {
+        assertEquals(play(1), play(1));
+        assertNotEquals(play(1), play(2));
+    }
+
+    private static int play(long seed) {
+        Skirmish game = new Skirmish(300, seed);
+        for (int tick = 0; tick < 600; tick++) game.tick(); // 10 s: the armies have met
+        return game.stateHash();
+    }
+
+    private BufferedImage read(String name) throws IOException {
+        return ImageIO.read(folder.resolve(name).toFile());
+    }
+
+    /** It has the size, more than a few colours, and enough of those that mark what it is about. */
+    private static void assertDrawn(BufferedImage image, int width, int height, int... colours) {
+        assertEquals(width, image.getWidth());
+        assertEquals(height, image.getHeight());
+        int[] pixels = pixels(image);
+        assertTrue(Arrays.stream(pixels).distinct().count() > 4);
+        for (int colour : colours) {
+            long count =
+                    Arrays.stream(pixels).filter(p -> (p & 0xFFFFFF) == colour).count();
+            assertTrue(count > 300, count + " pixels of " + Integer.toHexString(colour));
+        }
+    }
+
+    private static int[] pixels(BufferedImage image) {
+        return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    }
+}

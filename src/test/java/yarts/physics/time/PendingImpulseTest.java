@@ -1,0 +1,181 @@
+package yarts.physics.time;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+import yarts.physics.Integrator;
+import yarts.physics.Timestep;
+import yarts.physics.Unit;
+import yarts.physics.World;
+
+/** Impulse that waits for a tick can be seen, and stays in the world when the unit leaves. */
+class PendingImpulseTest {
+    private final World world = new World(Integrator.EULER, Timestep.fixed(10));
+    private final Unit unit = world.add(new Unit(1)), other = world.add(new Unit(1));
+
+    private static void assertNothingWaits(Unit unit) {
+        assertEquals(
+                List.of(0.0, 0.0, 0.0, 0.0),
+                List.of(unit.getFx(), unit.getFy(), unit.getPendingImpulseX(), unit.getPendingImpulseY()));
+    }
+
+    @Test
+    void theGettersTellWhatTheNextStepWillUse() {
+        unit.applyForce(100, -40);
+        assertEquals(100, unit.getFx());
+        assertEquals(0, world.advance(0.05));
+        assertEquals(0, unit.getFx(), "it has acted, for 0.05 s");
+        assertEquals(5, unit.getPendingImpulseX(), 1e-15);
+        assertEquals(-2, unit.getPendingImpulseY(), 1e-15);
+        double[] seen = {0, 0};
+        world.setStepListener((w, dt) -> {
+            seen[0] = unit.getFx();
+            seen[1] = unit.getPendingImpulseX();
+        });
+        assertEquals(1, world.advance(0.05));
+        assertEquals(50, seen[0], 1e-13, "5 N·s over a step of 0.1 s");
+        assertEquals(0, seen[1]);
+        assertEquals(5, unit.getVx(), 1e-14);
+        assertNothingWaits(unit);
+    }
+
+    @Test
+    void aForceIsPendingForTheRemainderOnly() {
+        unit.applyForce(100, 0);
+        assertEquals(1, world.advance(0.125));
+        assertEquals(10, unit.getVx(), 1e-14);
+        assertEquals(2.5, unit.getPendingImpulseX(), 1e-14);
+        assertEquals(0, other.getPendingImpulseX());
+    }
+
+    /** A unit of a pool: removed, set to rest, added again. */
+    @Test
+    void aPooledUnitComesBackAtRest() {
+        unit.applyForce(100, 100);
+        world.advance(0.05);
+        unit.applyForce(100, 100);
+        world.remove(unit);
+        assertNothingWaits(unit);
+        unit.setVelocity(0, 0);
+        world.add(unit);
+        assertNothingWaits(unit);
+        world.advance(0.1);
+        assertEquals(0, unit.getSpeed());
+    }
+
+    @Test
+    void whoeverLeavesInWhateverWayLeavesItBehind() {
+        List<Consumer<World>> ways = List.of(
+                w -> w.remove(w.get(0)),
+                w -> w.removeIf(any -> true),
+                World::clear,
+                w -> {
+                    for (var units = w.iterator(); units.hasNext(); ) {
+                        units.next();
+                        units.remove();
+                    }
+                },
+                w -> w.restore(new World().save()));
+        for (Consumer<World> way : ways) {
+            World w = new World(Integrator.EULER, Timestep.fixed(10));
+            Unit leaver = w.add(new Unit(1).setVelocity(1, 2));
+            leaver.applyForce(100, 100);
+            w.advance(0.05);
+            leaver.applyForce(100, 100);
+            way.accept(w);
+            assertEquals(0, w.size());
+            assertNothingWaits(leaver);
+            leaver.integrate(1);
+            assertEquals(1, leaver.getVx());
+            assertEquals(2, leaver.getVy());
+        }
+    }
+
+    @Test
+    void whoeverJoinsBringsNoForce() {
+        Unit late = new Unit(1);
+        late.applyForce(7, 7);
+        world.add(late);
+        assertNothingWaits(late);
+        world.step(1);
+        assertEquals(0, late.getSpeed());
+    }
+
+    @Test
+    void theLastUnitTakesItsOwnIntoTheGap() {
+        other.applyForce(100, 0);
+        world.advance(0.05);
+        other.applyForce(0, 100);
+        world.remove(unit);
+        assertEquals(5, other.getPendingImpulseX(), 1e-15);
+        assertEquals(100, other.getFy());
+        world.advance(0.05);
+        assertEquals(5, other.getVx(), 1e-14);
+        assertEquals(5, other.getVy(), 1e-14);
+    }
+
+    @Test
+    void clearForcesTakesItBack() {
+        unit.applyForce(100, 0);
+        world.advance(0.05);
+        unit.clearForces();
+        assertNothingWaits(unit);
+        world.advance(0.05);
+        assertEquals(0, unit.getVx());
+    }
+
+    /** The carried time becomes the same part of another step, and its forces push alike. */
+    @Test
+    void anotherRateKeepsThePushAndThePartOfAStep() {
+        for (int rate : new int[] {1, 10, 30, 100}) {
+            World w = new World(Integrator.EULER, Timestep.fixed(10));
+            Unit pushed = w.add(new Unit(1));
+            pushed.applyForce(100, 0);
+            w.advance(0.025);
+            w.setTimestep(Timestep.fixed(rate));
+            assertEquals(Timestep.fixed(rate).toString(), w.getTimestep().toString());
+            assertEquals(0.25, w.getAlpha());
+            double[] seen = {0};
+            w.setStepListener((x, dt) -> seen[0] = pushed.getFx());
+            pushed.applyForce(100, 0);
+            assertEquals(1, w.advance(0.75 / rate));
+            assertEquals(100, seen[0], 1e-12, "a constant force stays what it is");
+        }
+    }
+
+    @Test
+    void variableStepsDropWhatWaits() {
+        unit.applyForce(100, 0);
+        world.advance(0.05);
+        world.setTimestep(Timestep.variable(1));
+        assertEquals(0, world.getAlpha());
+        assertEquals(0.05, world.getDroppedTime(), 1e-15);
+        assertEquals(0, unit.getPendingImpulseX());
+        world.advance(0.1);
+        assertEquals(0, unit.getVx());
+    }
+
+    @Test
+    void timeAndTicksGoOnThroughEveryChange() {
+        world.advance(0.25);
+        world.setTimestep(Timestep.fixed(4));
+        assertEquals(0.2, world.getTime(), 1e-15);
+        assertEquals(0.5, world.getAlpha());
+        world.advance(0.125);
+        assertEquals(0.45, world.getTime(), 1e-15);
+        assertEquals(3, world.getTick());
+        world.setTimestep(Timestep.variable(0.5).withMaxSteps(1));
+        world.advance(0.75);
+        assertEquals(0.95, world.getTime(), 1e-15);
+        assertEquals(0.25, world.getDroppedTime(), 1e-15);
+        world.setTimestep(Timestep.fixed(10).withMaxSteps(1));
+        world.advance(0.3);
+        assertEquals(1.05, world.getTime(), 1e-15);
+        assertEquals(0.45, world.getDroppedTime(), 1e-15);
+        assertEquals(5, world.getTick());
+        world.step();
+        assertEquals(1.15, world.getTime(), 1e-15);
+    }
+}

@@ -1,0 +1,250 @@
+package yarts.physics.world;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import yarts.physics.Integrator;
+import yarts.physics.Snapshot;
+import yarts.physics.StepListener;
+import yarts.physics.Timestep;
+import yarts.physics.Unit;
+import yarts.physics.World;
+
+/** What is called before and after each step, and what is left of a step that it stops. */
+class ListenerTest {
+    private static final class Stop extends RuntimeException {
+        private static final long serialVersionUID = 1;
+    }
+
+    /** Calls one before a step and one after it. */
+    private static StepListener listener(Runnable before, Runnable after) {
+        return new StepListener() {
+            @Override
+            public void beforeStep(World world, double dt) {
+                before.run();
+            }
+
+            @Override
+            public void afterStep(World world, double dt) {
+                after.run();
+            }
+        };
+    }
+
+    private static void nothing() {}
+
+    private static void stop() {
+        throw new Stop();
+    }
+
+    private final World world = new World(Integrator.EULER, Timestep.fixed(10).withMaxSteps(9));
+    private final Unit unit = world.add(new Unit(1));
+
+    @Test
+    void bothAreCalledAboutEveryStepWithItsLength() {
+        List<String> calls = new ArrayList<>();
+        world.setStepListener(new StepListener() {
+            @Override
+            public void beforeStep(World w, double dt) {
+                calls.add("before " + w.getTick() + " " + dt);
+            }
+
+            @Override
+            public void afterStep(World w, double dt) {
+                calls.add("after " + w.getTick() + " " + dt);
+            }
+        });
+        world.advance(0.2);
+        world.step(0.5);
+        world.step();
+        assertEquals(
+                List.of(
+                        "before 0 0.1",
+                        "after 1 0.1",
+                        "before 1 0.1",
+                        "after 2 0.1",
+                        "before 2 0.5",
+                        "after 3 0.5",
+                        "before 3 0.1",
+                        "after 4 0.1"),
+                calls);
+    }
+
+    /** Nothing of a step that is stopped before it shows: it is drawn where the last finished one left it. */
+    @Test
+    void aStepThatIsStoppedDoesNotShow() {
+        unit.setVelocity(10, 0);
+        for (int i = 0; i < 100; i++) world.step(0.1);
+        assertEquals(100, unit.getX(), 1e-12);
+        world.setStepListener((w, dt) -> stop());
+        assertThrows(Stop.class, () -> world.advance(0.15));
+        assertEquals(100, unit.getInterpolatedX(), 1e-12);
+        assertEquals(unit.getX(), unit.getInterpolatedX());
+        float[] xy = new float[2];
+        world.copyPositions(xy, 0);
+        assertEquals(100, xy[0]);
+        assertEquals(100, world.getTick());
+        assertEquals(0.1, world.getDroppedTime(), 1e-15);
+        world.setStepListener(null);
+        world.advance(0.05);
+        assertEquals(100, unit.getInterpolatedX(), 1e-12, "the next step begins here");
+        world.advance(0.05);
+        assertEquals(100.5, unit.getInterpolatedX(), 1e-12);
+    }
+
+    /** As if the frame had been one in which no step fell due; in steps of a frame, as if it had ended before. */
+    @Test
+    void aStepThatIsStoppedLeavesNoTraceInHashAndSave() {
+        for (int good = 0; good < 3; good++) {
+            World stopped = new World(Integrator.EXACT, Timestep.fixed(10).withMaxSteps(9)),
+                    quiet = new World(Integrator.EXACT, Timestep.fixed(10).withMaxSteps(9));
+            for (World w : List.of(stopped, quiet)) {
+                w.add(new Unit(1).setVelocity(10, 0).setFriction(1));
+                w.add(new Unit(2));
+                w.step(0.3);
+            }
+            int last = good;
+            int[] calls = {0};
+            stopped.get(0).applyForce(5, 6);
+            stopped.setStepListener((w, dt) -> {
+                w.get(1).applyForce(7, 8);
+                if (calls[0]++ == last) stop();
+            });
+            assertThrows(Stop.class, () -> stopped.advance(0.05 + 0.1 * (last + 1)));
+            for (int i = 0; i < good; i++) {
+                // Of 5 N for 0.15 s or more, what falls in the remainder is pending; the rest is spread over the steps.
+                double steps = good + 1, share = (0.05 + 0.1 * steps - 0.05) / (0.1 * steps);
+                quiet.get(0).applyForce(5 * share, 6 * share);
+                quiet.get(1).applyForce(7, 8);
+                quiet.step(0.1);
+            }
+            assertEquals(quiet.get(0).getX(), stopped.get(0).getX(), 1e-13);
+            assertEquals(quiet.get(1).getVx(), stopped.get(1).getVx(), 1e-13);
+            for (Unit each : stopped) assertEquals(0, each.getFx());
+            assertEquals(1 + good, stopped.getTick());
+            assertEquals(5 * 0.05, stopped.get(0).getPendingImpulseX(), 1e-13, "the remainder's part still waits");
+            assertEquals(0, stopped.get(1).getPendingImpulseX());
+            Snapshot saved = stopped.save();
+            World restored = new World();
+            restored.restore(saved);
+            assertEquals(stopped.stateHash(), restored.stateHash());
+        }
+    }
+
+    @Test
+    void stepAndAdvanceDropTheForcesOfAStoppedStepAlike() {
+        for (boolean advance : new boolean[] {false, true}) {
+            World w = new World(Integrator.EULER, Timestep.fixed(10).withMaxSteps(9));
+            Unit pushed = w.add(new Unit(1)), other = w.add(new Unit(1));
+            long before = w.stateHash();
+            w.setStepListener((x, dt) -> {
+                other.applyForce(3, 3);
+                stop();
+            });
+            pushed.applyForce(1, 2);
+            assertThrows(Stop.class, () -> {
+                if (advance) w.advance(0.1);
+                else w.step(0.1);
+            });
+            assertEquals(0, pushed.getFx());
+            assertEquals(0, other.getFy());
+            w.setStepListener(null);
+            if (!advance) assertEquals(before, w.stateHash(), "as if nothing had been");
+            w.step(0.1);
+            assertEquals(0, pushed.getVx());
+            assertEquals(0, other.getVy());
+        }
+    }
+
+    @Test
+    void aStepIsFinishedEvenIfItsAfterStepThrows() {
+        unit.setVelocity(10, 0);
+        world.setStepListener(listener(ListenerTest::nothing, ListenerTest::stop));
+        assertThrows(Stop.class, () -> world.advance(0.25));
+        assertEquals(1, world.getTick());
+        assertEquals(1, unit.getX());
+        assertEquals(0.5, unit.getInterpolatedX(), 1e-15, "half of the next step waits");
+        assertEquals(0.1, world.getDroppedTime(), 1e-15);
+        world.setStepListener(null);
+        assertEquals(1, world.advance(0.05), "and the world steps on");
+        assertThrows(Stop.class, () -> {
+            world.setStepListener(listener(ListenerTest::nothing, ListenerTest::stop));
+            world.step(0.1);
+        });
+        assertEquals(3, world.getTick());
+        unit.setPosition(50, 0);
+        assertEquals(50, unit.getInterpolatedX(0), "a teleport again, and no correction");
+    }
+
+    @Test
+    void aForceAfterAStepActsForTheNext() {
+        world.setStepListener(listener(ListenerTest::nothing, () -> {
+            if (world.getTick() == 1) unit.applyForce(10, 0);
+        }));
+        unit.applyForce(0, 10);
+        assertEquals(2, world.advance(0.2));
+        assertEquals(1, unit.getVx(), 1e-15, "the frame's next step");
+        assertEquals(2, unit.getVy(), 1e-15, "to which the frame's force is added");
+        assertEquals(0, unit.getFx());
+        world.setStepListener(listener(ListenerTest::nothing, () -> {
+            if (world.getTick() == 3) unit.applyForce(10, 0);
+        }));
+        world.advance(0.1);
+        assertEquals(10, unit.getFx(), "of no frame yet");
+        world.advance(0.1);
+        assertEquals(2, unit.getVx(), 1e-15, "the next frame");
+    }
+
+    @Test
+    void unitsMayComeAndGoAfterAStep() {
+        Unit second = world.add(new Unit(1).setVelocity(0, 10));
+        Unit late = new Unit(1).setVelocity(5, 0);
+        world.setStepListener(listener(ListenerTest::nothing, () -> {
+            if (world.getTick() != 1) return;
+            world.remove(unit);
+            world.add(late).setPosition(100, 200);
+            assertEquals(100, late.getInterpolatedX(0), "it is where it was put, and not on its way there");
+        }));
+        unit.applyForce(10, 0);
+        second.applyForce(10, 0);
+        assertEquals(3, world.advance(0.3));
+        assertEquals(List.of(second, late), world.units());
+        assertEquals(1, unit.getVx(), 1e-15);
+        assertEquals(3, second.getVx(), 1e-15, "its forces moved with it to the first row");
+        assertEquals(101, late.getX(), 1e-13);
+        assertEquals(100.5, late.getInterpolatedX(0), 1e-13);
+    }
+
+    @Test
+    void inNeitherMayTheWorldBeSteppedSavedRestoredOrSetUp() {
+        Snapshot saved = world.save();
+        int[] refused = {0};
+        Runnable misuse = () -> {
+            for (Runnable call : List.<Runnable>of(
+                    () -> world.step(1),
+                    world::step,
+                    () -> world.advance(0),
+                    world::save,
+                    () -> world.save(saved),
+                    () -> world.restore(saved),
+                    () -> world.setIntegrator(Integrator.EXACT),
+                    () -> world.setTimestep(Timestep.fixed(1)))) {
+                String message =
+                        assertThrows(IllegalStateException.class, call::run).getMessage();
+                assertEquals(
+                        "a step is running: a StepListener must not step, save, restore or set its world", message);
+                refused[0]++;
+            }
+        };
+        world.setStepListener(listener(misuse, misuse));
+        world.step(1);
+        assertEquals(16, refused[0]);
+        assertEquals(1, world.getTick());
+        assertEquals(Integrator.EULER, world.getIntegrator());
+        assertNotEquals(0, world.stateHash());
+    }
+}

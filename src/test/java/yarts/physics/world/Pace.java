@@ -1,0 +1,22 @@
+package yarts.physics.world;
+
+import yarts.physics.Timestep;
+
+/** What a {@link Timestep} is made of: a rate, or 0 if steps are variable; the longest step; and the most at a time. */
+record Pace(int rate, double maxStep, int maxSteps) {
+    static Pace fixed(int rate, int maxSteps) {
+        return new Pace(rate, 1.0 / rate, maxSteps);
+    }
+
+    static Pace variable(double maxStep, int maxSteps) {
+        return new Pace(0, maxStep, maxSteps);
+    }
+
+    boolean isFixed() {
+        return rate > 0;
+    }
+
+    Timestep timestep() {
+        return (isFixed() ? Timestep.fixed(rate) : Timestep.variable(maxStep)).withMaxSteps(maxSteps);
+    }
+}

@@ -1,0 +1,496 @@
+package yarts.physics.world;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Consumer;
+import java.util.function.DoubleUnaryOperator;
+import java.util.stream.Collectors;
+import yarts.physics.Integrator;
+import yarts.physics.StepListener;
+import yarts.physics.Unit;
+import yarts.physics.World;
+
+/**
+ * A world beside a plain model of it: lists, and for every unit a twin that is never in a world. Time is counted in
+ * integers, and a force's impulse as its definition says. Each step's forces must be those of the model but for
+ * rounding; the twin then takes them as they are, so that whatever follows must be the same bits.
+ */
+final class Twins {
+    private static final long SECOND = 1_000_000_000;
+    private static final double[] ALPHAS = {0, 0.5, 1};
+
+    private static final class Twin {
+        final Unit unit;
+        final Unit alone;
+        /** What each step of the frame in hand gets; what its next step gets besides; and what is pending. */
+        final double[] frame = new double[2], once = new double[2], pending = new double[2];
+        /** Of what rounding errors are judged by. */
+        final double[] scale = new double[2];
+
+        double previousX, previousY;
+
+        Twin(Unit unit, Unit alone) {
+            this.unit = unit;
+            this.alone = alone;
+        }
+
+        void settle() {
+            previousX = alone.getX();
+            previousY = alone.getY();
+        }
+
+        /** A frame in which nothing falls due, and after which {@code after} seconds wait: time is rounded as they are. */
+        void hold(double elapsed, double after) {
+            double[] f = {alone.getFx(), alone.getFy()};
+            for (int k = 0; k < 2; k++) {
+                pending[k] += f[k] * elapsed;
+                scale[k] += Math.abs(f[k]) * after;
+            }
+            alone.clearForces();
+        }
+
+        /** A frame that covers some seconds, of them {@code now} in this frame, and leaves {@code later} seconds of it. */
+        void spread(double now, double later, double covered) {
+            double[] f = {alone.getFx(), alone.getFy()};
+            for (int k = 0; k < 2; k++) {
+                frame[k] = (pending[k] + f[k] * now) / covered;
+                scale[k] = scale[k] / covered + Math.abs(f[k]);
+                pending[k] = f[k] * later;
+            }
+            alone.clearForces();
+        }
+
+        void applyOnce(double fx, double fy) {
+            unit.applyForce(fx, fy);
+            once[0] += fx;
+            once[1] += fy;
+            for (int k = 0; k < 2; k++) scale[k] += Math.abs(k == 0 ? fx : fy);
+        }
+
+        void step(double dt, Integrator integrator) {
+            if (!unit.isFrozen()) {
+                assertEquals(frame[0] + once[0], unit.getFx(), 1e-14 * scale[0]);
+                assertEquals(frame[1] + once[1], unit.getFy(), 1e-14 * scale[1]);
+            }
+            once[0] = once[1] = 0;
+            settle();
+            alone.applyForce(unit.getFx(), unit.getFy());
+            alone.integrate(dt, integrator);
+        }
+
+        void frameDone() {
+            for (int k = 0; k < 2; k++) scale[k] = Math.abs(pending[k]);
+        }
+
+        void comparePending() {
+            if (unit.isFrozen()) return;
+            assertEquals(pending[0], unit.getPendingImpulseX(), 1e-14 * scale[0]);
+            assertEquals(pending[1], unit.getPendingImpulseY(), 1e-14 * scale[1]);
+        }
+
+        void forget() {
+            alone.clearForces();
+            for (int k = 0; k < 2; k++) frame[k] = once[k] = pending[k] = scale[k] = 0;
+        }
+    }
+
+    private World world;
+    private Integrator integrator;
+    private Pace pace;
+    private final List<Twin> inside = new ArrayList<>();
+    private final List<Twin> outside = new ArrayList<>();
+    private long tick, remainder;
+    private double time, dropped;
+    private boolean interpolating;
+
+    Twins() {
+        move(Integrator.EULER, Pace.fixed(60, 15));
+    }
+
+    /** All units of the world move to a new one. What they were to be pushed by stays behind. */
+    void move(Integrator integrator, Pace pace) {
+        this.integrator = integrator;
+        this.pace = pace;
+        if (world != null) world.clear();
+        world = new World(integrator, pace.timestep());
+        tick = remainder = 0;
+        time = dropped = 0;
+        interpolating = false;
+        for (Twin twin : inside) {
+            world.add(twin.unit);
+            twin.forget();
+            twin.settle();
+        }
+    }
+
+    void setIntegrator(Integrator integrator) {
+        this.integrator = integrator;
+        world.setIntegrator(integrator);
+    }
+
+    /** What waits is the same part of a step as before. */
+    void setPace(Pace next) {
+        world.setTimestep(next.timestep());
+        interpolating &= next.isFixed();
+        double factor = next.isFixed() ? (double) pace.rate() / next.rate() : 0;
+        for (Twin twin : inside) {
+            for (int k = 0; k < 2; k++) {
+                twin.pending[k] *= factor;
+                twin.scale[k] *= factor;
+            }
+        }
+        if (!next.isFixed()) {
+            dropped += pace.isFixed() ? remainder / 1e9 / pace.rate() : 0;
+            remainder = 0;
+        }
+        pace = next;
+    }
+
+    /** A unit made twice, one of them added. */
+    void addNew(double mass, double friction) {
+        Twin twin = new Twin(new Unit(mass).setFriction(friction), new Unit(mass).setFriction(friction));
+        outside.add(twin);
+        add(outside.size() - 1);
+    }
+
+    void add(int pick) {
+        if (outside.isEmpty()) return;
+        Twin twin = outside.remove(pick % outside.size());
+        assertSame(twin.unit, world.add(twin.unit));
+        twin.forget();
+        twin.settle();
+        inside.add(twin);
+    }
+
+    void remove(int pick) {
+        if (inside.isEmpty()) return;
+        Twin twin = inside.get(pick % inside.size());
+        assertTrue(world.remove(twin.unit));
+        removed(pick % inside.size());
+    }
+
+    private void removed(int i) {
+        Twin twin = inside.get(i);
+        twin.forget();
+        outside.add(twin);
+        Twin last = inside.remove(inside.size() - 1);
+        if (i < inside.size()) inside.set(i, last);
+    }
+
+    /** Removes those whose mass is above a limit, through the iterator. */
+    void removeHeavierThan(double limit) {
+        for (Iterator<Unit> i = world.iterator(); i.hasNext(); ) {
+            if (i.next().getMass() > limit) i.remove();
+        }
+        removedHeavierThan(limit);
+    }
+
+    void removeIfHeavierThan(double limit) {
+        boolean any = inside.stream().anyMatch(twin -> twin.alone.getMass() > limit);
+        assertEquals(any, world.removeIf(unit -> unit.getMass() > limit));
+        removedHeavierThan(limit);
+    }
+
+    private void removedHeavierThan(double limit) {
+        for (int i = 0; i < inside.size(); ) {
+            if (inside.get(i).alone.getMass() > limit) removed(i);
+            else i++;
+        }
+    }
+
+    void clear() {
+        world.clear();
+        while (!inside.isEmpty()) removed(inside.size() - 1);
+    }
+
+    /** Does the same to one of the units, in the world or not, and to its twin. */
+    void change(int pick, Consumer<Unit> change) {
+        Twin twin = pick(pick);
+        if (twin == null) return;
+        change.accept(twin.unit);
+        change.accept(twin.alone);
+    }
+
+    void teleport(int pick, double x, double y) {
+        change(pick, u -> u.setPosition(x, y));
+        if (pick(pick) != null) pick(pick).settle();
+    }
+
+    /** What is drawn runs to where a unit is put after a step, if it took part and that is not infinitely far. */
+    private void correct(Twin twin, double x, double y, boolean tookPart) {
+        twin.unit.setPosition(x, y);
+        twin.alone.setPosition(x, y);
+        boolean far = Double.isInfinite(x - twin.previousX) || Double.isInfinite(y - twin.previousY);
+        if (far || !tookPart) twin.settle();
+    }
+
+    void integrateOne(int pick, double dt, Integrator integrator) {
+        change(pick, u -> u.integrate(dt, integrator));
+        if (pick(pick) != null) pick(pick).settle();
+    }
+
+    void clearForces(int pick) {
+        change(pick, Unit::clearForces);
+        if (pick(pick) != null) pick(pick).forget();
+    }
+
+    void setFrozen(int pick, boolean frozen) {
+        Twin twin = pick(pick);
+        if (twin == null) return;
+        setFrozen(twin, frozen);
+    }
+
+    private static void setFrozen(Twin twin, boolean frozen) {
+        if (twin.unit.isFrozen() != frozen) twin.forget();
+        twin.unit.setFrozen(frozen);
+        twin.alone.setFrozen(frozen);
+    }
+
+    /** A force on all at once, harder on each. */
+    void applyForces(double fx, double fy) {
+        int offset = inside.size() % 3;
+        double[] xy = new double[offset + 2 * inside.size() + 1];
+        for (int i = 0; i < inside.size(); i++) {
+            xy[offset + 2 * i] = fx * (i + 1);
+            xy[offset + 2 * i + 1] = fy * (i % 7);
+            inside.get(i).alone.applyForce(xy[offset + 2 * i], xy[offset + 2 * i + 1]);
+        }
+        world.applyForces(xy, offset);
+    }
+
+    private Twin pick(int pick) {
+        int n = inside.size() + outside.size();
+        if (n == 0) return null;
+        int i = pick % n;
+        return i < inside.size() ? inside.get(i) : outside.get(i - inside.size());
+    }
+
+    void step() {
+        world.step();
+        stepped(pace.maxStep());
+    }
+
+    void step(double dt) {
+        world.step(dt);
+        stepped(dt);
+    }
+
+    private void stepped(double dt) {
+        for (Twin twin : inside) {
+            twin.settle();
+            twin.alone.integrate(dt, integrator);
+        }
+        tick++;
+        time += dt;
+        interpolating = false;
+    }
+
+    void advance(long ns) {
+        advance(ns, null);
+    }
+
+    /** Advances, with orders before and after each step that are drawn from a seed. */
+    void advanceAmidOrders(long ns, long seed) {
+        advance(ns, new SplittableRandom(seed));
+    }
+
+    private void advance(long ns, SplittableRandom orders) {
+        double elapsed = ns / 1e9;
+        int steps = pace.isFixed() ? fixedFrame(ns) : variableFrame(elapsed);
+        double[] stepped = {0, 0};
+        world.setStepListener(new StepListener() {
+            @Override
+            public void beforeStep(World w, double dt) {
+                assertTrue(dt <= pace.maxStep());
+                if (orders != null) orderBefore(orders);
+                for (Twin twin : inside) twin.step(dt, integrator);
+                stepped[0]++;
+                stepped[1] += dt;
+            }
+
+            @Override
+            public void afterStep(World w, double dt) {
+                if (orders != null) orderAfter(orders, stepped[0] == steps);
+            }
+        });
+        assertEquals(steps, world.advance(elapsed));
+        world.setStepListener(null);
+        assertEquals(steps, stepped[0]);
+        if (!pace.isFixed()) {
+            double all = Math.min(elapsed, pace.maxSteps() * pace.maxStep());
+            assertEquals(all, stepped[1], 1e-14 * steps * all);
+        }
+        if (steps > 0) for (Twin twin : inside) twin.frameDone();
+        tick += steps;
+        time += stepped[1];
+        if (steps > 0) interpolating = pace.isFixed();
+    }
+
+    private void orderBefore(SplittableRandom random) {
+        int pick = random.nextInt(1 << 20);
+        order(random.nextInt(10), pick, random);
+        if (inside.isEmpty()) return;
+        Twin twin = inside.get(pick % inside.size());
+        if (random.nextInt(3) == 0) twin.applyOnce(coordinate(random), coordinate(random));
+        if (random.nextInt(3) == 0) teleport(pick % inside.size(), coordinate(random), coordinate(random));
+    }
+
+    private void orderAfter(SplittableRandom random, boolean last) {
+        int pick = random.nextInt(1 << 20), before = inside.size();
+        order(random.nextInt(10), pick, random);
+        if (inside.isEmpty()) return;
+        int i = pick % inside.size();
+        boolean tookPart = inside.size() <= before || i < before;
+        if (random.nextInt(2) == 0) correct(inside.get(i), coordinate(random), coordinate(random), tookPart);
+        if (random.nextInt(3) != 0) return;
+        double fx = coordinate(random), fy = coordinate(random);
+        if (last) change(i, u -> u.applyForce(fx, fy)); // for the next frame
+        else inside.get(i).applyOnce(fx, fy);
+    }
+
+    private void order(int order, int pick, SplittableRandom random) {
+        if (order < 2) remove(pick);
+        if (order == 2) add(pick);
+        if (order == 3) addNew(1 + random.nextInt(4), random.nextInt(3));
+        if (order == 4) setFrozen(pick, random.nextInt(3) == 0);
+        if (order == 5) clearForces(pick);
+    }
+
+    private static double coordinate(SplittableRandom random) {
+        return random.nextInt(-1000, 1000) / 8.0;
+    }
+
+    private int fixedFrame(long ns) {
+        double unit = 1.0 / SECOND / pace.rate();
+        long part = ns * pace.rate() + remainder;
+        long due = part / SECOND;
+        for (Twin twin : inside) {
+            if (due == 0) twin.hold(ns / 1e9, part * unit);
+            else {
+                double now = (due * SECOND - remainder) * unit;
+                twin.spread(now, part % SECOND * unit, (double) due / pace.rate());
+            }
+        }
+        remainder = part % SECOND;
+        int steps = (int) Math.min(due, pace.maxSteps());
+        dropped += (double) (due - steps) / pace.rate();
+        return steps;
+    }
+
+    private int variableFrame(double frame) {
+        double elapsed = Math.min(frame, pace.maxSteps() * pace.maxStep());
+        dropped += frame - elapsed;
+        for (Twin twin : inside) {
+            if (elapsed == 0) twin.hold(0, 0);
+            else twin.spread(elapsed, 0, elapsed);
+        }
+        return (int) Math.min(Math.ceil(elapsed / pace.maxStep()), pace.maxSteps());
+    }
+
+    /** The world is what the model says: every getter of every unit, to the bit. */
+    void compare() {
+        assertEquals(tick, world.getTick());
+        assertEquals(time, world.getTime(), 1e-12 * time);
+        assertEquals(dropped, world.getDroppedTime(), 1e-12 * dropped);
+        assertSame(integrator, world.getIntegrator());
+        assertEquals(pace.timestep().toString(), world.getTimestep().toString());
+        assertEquals(inside.size(), world.size());
+        List<Unit> expected = inside.stream().map(t -> t.unit).collect(Collectors.toList());
+        assertEquals(expected, world.units());
+        double alpha = Math.min(remainder / 1e9, Math.nextDown(1f));
+        same("alpha", alpha, world.getAlpha());
+        for (Twin twin : inside) {
+            assertSame(world, twin.unit.getWorld());
+            compare(twin);
+            double drawn = interpolating ? alpha : 1;
+            same("interpolated x", between(twin.previousX, twin.alone.getX(), drawn), twin.unit.getInterpolatedX());
+            same("interpolated y", between(twin.previousY, twin.alone.getY(), drawn), twin.unit.getInterpolatedY());
+        }
+        comparePositions(interpolating ? alpha : 1);
+        compareVelocities();
+        for (Twin twin : outside) {
+            assertSame(null, twin.unit.getWorld());
+            compare(twin);
+            same("interpolated x", twin.alone.getX(), twin.unit.getInterpolatedX());
+            same("interpolated y", twin.alone.getY(), twin.unit.getInterpolatedY());
+        }
+    }
+
+    private void comparePositions(double drawn) {
+        int size = inside.size();
+        float[] floats = new float[2 * size + 1];
+        double[] doubles = new double[2 * size + 1];
+        world.copyPositions(floats, 1);
+        comparePositions(drawn, i -> floats[(int) i], Twins::narrow);
+        for (double alpha : ALPHAS) {
+            world.copyPositions(floats, 1, alpha);
+            comparePositions(alpha, i -> floats[(int) i], Twins::narrow);
+            world.copyPositions(doubles, 1, alpha);
+            comparePositions(alpha, i -> doubles[(int) i], v -> v);
+        }
+    }
+
+    private void comparePositions(double alpha, DoubleUnaryOperator copied, DoubleUnaryOperator as) {
+        for (int i = 0; i < inside.size(); i++) {
+            Twin t = inside.get(i);
+            double x = between(t.previousX, t.alone.getX(), alpha), y = between(t.previousY, t.alone.getY(), alpha);
+            same("copied x", as.applyAsDouble(x), copied.applyAsDouble(2 * i + 1));
+            same("copied y", as.applyAsDouble(y), copied.applyAsDouble(2 * i + 2));
+        }
+    }
+
+    private void compareVelocities() {
+        double[] xy = new double[2 * inside.size() + 1];
+        world.copyVelocities(xy, 1);
+        for (int i = 0; i < inside.size(); i++) {
+            same("copied vx", inside.get(i).alone.getVx(), xy[2 * i + 1]);
+            same("copied vy", inside.get(i).alone.getVy(), xy[2 * i + 2]);
+        }
+    }
+
+    private static void compare(Twin twin) {
+        Unit a = twin.alone, u = twin.unit;
+        same("x", a.getX(), u.getX());
+        same("y", a.getY(), u.getY());
+        same("vx", a.getVx(), u.getVx());
+        same("vy", a.getVy(), u.getVy());
+        same("speed", a.getSpeed(), u.getSpeed());
+        same("fx", a.getFx(), u.getFx());
+        same("fy", a.getFy(), u.getFy());
+        same("mass", a.getMass(), u.getMass());
+        same("friction", a.getFriction(), u.getFriction());
+        same("maxSpeed", a.getMaxSpeed(), u.getMaxSpeed());
+        assertEquals(a.isFrozen(), u.isFrozen());
+        twin.comparePending();
+        for (double alpha : ALPHAS) {
+            same("x at " + alpha, between(twin.previousX, a.getX(), alpha), u.getInterpolatedX(alpha));
+            same("y at " + alpha, between(twin.previousY, a.getY(), alpha), u.getInterpolatedY(alpha));
+        }
+    }
+
+    private static double between(double previous, double next, double alpha) {
+        return alpha == 1 ? next : previous + (next - previous) * alpha;
+    }
+
+    private static double narrow(double v) {
+        float f = (float) v;
+        return Float.isInfinite(f) ? Math.copySign(Float.MAX_VALUE, v) : f;
+    }
+
+    private static void same(String what, double expected, double actual) {
+        if (Double.doubleToRawLongBits(expected) != Double.doubleToRawLongBits(actual)) {
+            throw new AssertionError(what + ": alone " + expected + ", in the world " + actual);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return inside.size() + " units in a world, " + outside.size() + " outside, tick " + tick;
+    }
+}
