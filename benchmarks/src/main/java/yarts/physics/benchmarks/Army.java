@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.Collectors;
 import yarts.physics.Integrator;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
@@ -54,19 +55,27 @@ final class Army {
                 .setVelocity(vx[i], vy[i]);
     }
 
-    World world(Integrator how) {
-        World world = new World(how, Timestep.fixed(60));
+    World world(Integrator integrator) {
+        World world = new World(integrator, Timestep.fixed(60));
         for (int i = 0; i < size; i++) world.add(unit(i));
         return world;
     }
 
     /**
-     * To be called before each step that nobody is pushed before: gives every unit the velocity that it started with once
+     * To be called before each step that nobody, or hardly anybody, is pushed before: gives every unit the velocity that it started with once
      * in 1,000 steps. Else friction brings them to rest within the seconds of a benchmark, hours of a game.
      */
     void keepMoving(World world) {
         if (world.getTick() % 1000 != 0) return;
         for (int i = 0; i < size; i++) world.get(i).setVelocity(vx[i], vy[i]);
+    }
+
+    /** One in a thousand of a world's units, and at least one; scattered, and the same ones in every run. */
+    static List<Unit> oneInAThousand(World world) {
+        return shuffled(world.size()).stream()
+                .limit(Math.max(1, world.size() / 1000))
+                .map(world::get)
+                .collect(Collectors.toList());
     }
 
     /** The numbers 0 to size − 1 in random order: the same one in every run. */

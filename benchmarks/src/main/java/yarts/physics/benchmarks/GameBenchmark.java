@@ -25,6 +25,7 @@ public class GameBenchmark extends Workload {
     private int[] victims;
     private int next;
     private float[] xy;
+    private double[] inFull;
     private final Snapshot snapshot = new Snapshot();
 
     @Setup
@@ -35,6 +36,7 @@ public class GameBenchmark extends Workload {
         shuffled = Army.shuffled(units).stream().map(world::get).toArray(Unit[]::new);
         victims = Army.shuffled(units).stream().mapToInt(i -> i).toArray();
         xy = new float[2 * units];
+        inFull = new double[2 * units];
         world.save(snapshot);
         collect();
     }
@@ -134,5 +136,19 @@ public class GameBenchmark extends Workload {
     public float[] copyPositions() {
         world.copyPositions(xy, 0);
         return xy;
+    }
+
+    /** The same in full precision. */
+    @Benchmark
+    public double[] copyPositionsInFull() {
+        world.copyPositions(inFull, 0, 0.5);
+        return inFull;
+    }
+
+    /** Every unit's velocity, in one call. */
+    @Benchmark
+    public double[] copyVelocities() {
+        world.copyVelocities(inFull, 0);
+        return inFull;
     }
 }

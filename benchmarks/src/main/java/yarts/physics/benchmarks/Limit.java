@@ -1,16 +1,19 @@
 package yarts.physics.benchmarks;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.function.IntConsumer;
 import yarts.physics.Integrator;
+import yarts.physics.Unit;
 import yarts.physics.World;
 
 /**
- * Four numbers for each size of world, in ns per unit, to set beside those of a plain loop in C: a step alone
- * ("cached"), a step with another dt than the one before ("computed"), a force on every unit ("force"), and a force and
- * a step ("both"). Medians of nine rounds, each of eight million units or so. No JMH: it prints within seconds, so that
- * it and the other program can take turns.
+ * Seven numbers for each size of world, in ns per unit, to set beside those of a plain loop in C: a step alone
+ * ("cached"), a step with another dt than the one before ("computed"), a force on one unit in a thousand and a step
+ * ("sparse"), a force on every unit ("force"), that and a step ("both"), the same by one call for all forces ("bulk"),
+ * and a step of a world at rest ("rest"). Medians of nine rounds, each of eight million units or so. No JMH: it prints
+ * within seconds, so that it and the other program can take turns.
  */
 final class Limit {
     private static final int ROUNDS = 9;
@@ -21,39 +24,49 @@ final class Limit {
 
     /** Measures; the second argument may name an integrator other than EULER. */
     static void main(String[] args) {
-        Integrator how = args.length > 1 ? Integrator.valueOf(args[1].toUpperCase(Locale.ROOT)) : Integrator.EULER;
-        measure(how, 10_000); // for the compiler, which sees every loop before it is measured
+        Integrator integrator =
+                args.length > 1 ? Integrator.valueOf(args[1].toUpperCase(Locale.ROOT)) : Integrator.EULER;
+        measure(integrator, 10_000); // for the compiler, which sees every loop before it is measured
         for (int units : new int[] {1_000, 10_000, 100_000, 1_000_000}) {
-            System.out.println(measure(how, units));
+            System.out.println(measure(integrator, units));
         }
     }
 
-    private static String measure(Integrator how, int units) {
+    private static String measure(Integrator integrator, int units) {
         Army army = Army.of(units);
-        World world = army.world(how);
+        World world = army.world(integrator), resting = army.world(integrator);
+        for (Unit unit : resting) unit.setVelocity(0, 0);
+        List<Unit> few = Army.oneInAThousand(world);
+        double[] forces = Workload.forces(units);
         Workload.collect();
-        double[] cached = new double[ROUNDS], computed = new double[ROUNDS];
-        double[] force = new double[ROUNDS], both = new double[ROUNDS];
+        String[] names = {"cached", "computed", "sparse", "force", "both", "bulk", "rest"};
+        double[][] ns = new double[names.length][ROUNDS];
         for (int r = -WARM_UP; r < ROUNDS; r++) {
             int i = Math.max(r, 0);
-            cached[i] = time(units, k -> step(army, world, DT));
-            computed[i] = time(units, k -> step(army, world, k % 2 == 0 ? DT / 2 : DT));
-            force[i] = time(units, k -> Workload.push(world));
+            ns[0][i] = time(units, k -> step(army, world, DT));
+            ns[1][i] = time(units, k -> step(army, world, k % 2 == 0 ? DT / 2 : DT));
+            ns[2][i] = time(units, k -> {
+                Workload.push(few);
+                step(army, world, DT);
+            });
+            ns[3][i] = time(units, k -> Workload.push(world));
             world.step(0); // uses the forces up, and the next one is as the steps measured
             world.step(DT);
-            both[i] = time(units, k -> {
+            ns[4][i] = time(units, k -> {
                 Workload.push(world);
                 world.step(DT);
             });
+            ns[5][i] = time(units, k -> {
+                world.applyForces(forces, 0);
+                world.step(DT);
+            });
+            ns[6][i] = time(units, k -> resting.step(DT));
         }
-        return String.format(
-                Locale.ROOT,
-                "units %d cached %.2f computed %.2f force %.2f both %.2f",
-                units,
-                median(cached),
-                median(computed),
-                median(force),
-                median(both));
+        StringBuilder line = new StringBuilder("units " + units);
+        for (int k = 0; k < names.length; k++) {
+            line.append(String.format(Locale.ROOT, " %s %.2f", names[k], median(ns[k])));
+        }
+        return line.toString();
     }
 
     private static void step(Army army, World world, double dt) {

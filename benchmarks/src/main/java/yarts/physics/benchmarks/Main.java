@@ -20,7 +20,7 @@ import org.openjdk.jmh.runner.options.TimeValue;
  * java -jar benchmarks/target/benchmarks.jar all     everything; writes benchmarks/results/<os>-<cpu>-jdk<version>
  * java -jar benchmarks/target/benchmarks.jar quick   10,000 units, briefly; writes to benchmarks/target
  * java -jar benchmarks/target/benchmarks.jar report  benchmarks/results into docs/benchmarks.md and its plot
- * java -jar benchmarks/target/benchmarks.jar limit   four numbers to set beside those of a loop in C
+ * java -jar benchmarks/target/benchmarks.jar limit   seven numbers to set beside those of a loop in C
  * }</pre>
  *
  * <p>JMH's options may follow {@code all} and {@code quick}. Anything else is JMH's own: {@code -h} lists its options.

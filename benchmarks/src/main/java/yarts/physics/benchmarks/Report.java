@@ -63,12 +63,15 @@ final class Report {
 
     private static List<Line> ours(String label, String method) {
         return Stream.of(Integrator.values())
-                .map(how -> new Line(label + how, "StepBenchmark." + method, "integrator", how.name()))
+                .map(integrator ->
+                        new Line(label + integrator, "StepBenchmark." + method, "integrator", integrator.name()))
                 .collect(Collectors.toList());
     }
 
     private static List<Line> workloads() {
         List<Line> lines = new ArrayList<>();
+        lines.addAll(ours("force on all by `applyForces` and step, ", "bulk"));
+        lines.addAll(ours("force on one in a thousand and step, ", "oneInAThousand"));
         lines.addAll(ours("step alone, ", "step"));
         lines.addAll(ours("dt changes every step, ", "changingDt"));
         for (String threads : new String[] {"1", "2"}) {
@@ -91,6 +94,8 @@ final class Report {
         lines.add(new Line("`stateHash`", "GameBenchmark.stateHash"));
         lines.add(new Line("positions, by getters", "GameBenchmark.getters"));
         lines.add(new Line("positions, by `copyPositions`", "GameBenchmark.copyPositions"));
+        lines.add(new Line("positions in `double`, by `copyPositions`", "GameBenchmark.copyPositionsInFull"));
+        lines.add(new Line("velocities, by `copyVelocities`", "GameBenchmark.copyVelocities"));
         return lines;
     }
 
@@ -129,15 +134,15 @@ final class Report {
 
         out.append("\nThe step alone, 10,000 units, with and without HotSpot's vectoriser: ns per unit and step.\n\n");
         out.append("|  | vectorised | `-XX:-UseSuperWord` | ratio |\n| --- | --: | --: | --: |\n");
-        for (Integrator how : Integrator.values()) {
+        for (Integrator integrator : Integrator.values()) {
             for (boolean changing : new boolean[] {false, true}) {
-                String[] params = {"integrator", how.name(), "changingDt", Boolean.toString(changing)};
+                String[] params = {"integrator", integrator.name(), "changingDt", Boolean.toString(changing)};
                 Optional<Row> fast = results.find("VectorisedBenchmark.vectorised", GAME, params);
                 Optional<Row> slow = results.find("VectorisedBenchmark.scalar", GAME, params);
                 if (fast.isEmpty() || slow.isEmpty()) continue;
                 cells(
                         out,
-                        how + (changing ? ", dt changes every step" : ""),
+                        integrator + (changing ? ", dt changes every step" : ""),
                         spread(fast.get()),
                         spread(slow.get()),
                         number(slow.get().median() / fast.get().median()));
@@ -182,7 +187,7 @@ final class Report {
 
     /** Three digits or so. */
     private static String number(double d) {
-        return String.format(Locale.ROOT, d < 10 ? "%.2f" : d < 100 ? "%.1f" : "%,.0f", d);
+        return String.format(Locale.ROOT, d < 0.1 ? "%.4f" : d < 10 ? "%.2f" : d < 100 ? "%.1f" : "%,.0f", d);
     }
 
     private static String percent(double part) {

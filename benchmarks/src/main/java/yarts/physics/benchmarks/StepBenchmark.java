@@ -1,9 +1,11 @@
 package yarts.physics.benchmarks;
 
+import java.util.List;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Setup;
 import yarts.physics.Integrator;
+import yarts.physics.Unit;
 import yarts.physics.World;
 
 /** A step of a world, by each integrator. */
@@ -16,12 +18,16 @@ public class StepBenchmark extends Workload {
 
     private Army army;
     private World world;
+    private List<Unit> few;
+    private double[] forces;
     private int tick;
 
     @Setup
     public void create() {
         army = Army.of(units);
         world = army.world(integrator);
+        few = Army.oneInAThousand(world);
+        forces = forces(units);
         collect();
     }
 
@@ -29,6 +35,21 @@ public class StepBenchmark extends Workload {
     @Benchmark
     public void both() {
         push(world);
+        world.step(DT);
+    }
+
+    /** The same, and all forces in one call. */
+    @Benchmark
+    public void bulk() {
+        world.applyForces(forces, 0);
+        world.step(DT);
+    }
+
+    /** A force on one unit in a thousand, and a step. All are moving. */
+    @Benchmark
+    public void oneInAThousand() {
+        army.keepMoving(world);
+        push(few);
         world.step(DT);
     }
 

@@ -43,7 +43,7 @@ public class UnitsBenchmark extends Workload {
         Collections.shuffle(shuffled, new Random(4));
     }
 
-    /** A step, all units at rest and no forces. */
+    /** A step, all units at rest and no forces: the world is asleep. */
     @Benchmark
     public void atRest() {
         resting.step(DT);

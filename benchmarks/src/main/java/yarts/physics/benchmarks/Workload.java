@@ -35,6 +35,16 @@ public abstract class Workload {
         System.gc();
     }
 
+    /** The forces on n units, as a world takes them in one call. */
+    static double[] forces(int n) {
+        double[] xy = new double[2 * n];
+        for (int i = 0; i < n; i++) {
+            xy[2 * i] = FX;
+            xy[2 * i + 1] = FY;
+        }
+        return xy;
+    }
+
     static void push(Iterable<Unit> units) {
         for (Unit unit : units) unit.applyForce(FX, FY);
     }
