@@ -6,9 +6,9 @@ import java.util.Arrays;
  * A block of up to {@link #BLOCK} units: a row a unit, an array a quantity. There is no physics here.
  *
  * <p>A {@link Table} is a list of blocks, some of which share their arrays, each with rows of its own: processors read
- * ahead better in long arrays. Units outside a world share small blocks. Loops may run over a row that is not in
- * use: it is at rest. Rows share nothing but the fields about the block, which mean nothing outside a
- * world, so threads do not disturb each other's lone units.
+ * ahead better in long arrays. Units outside a world share small blocks. Loops may run over a row that is not in use: it
+ * is at rest. Rows share nothing but the fields about the block, of which only {@link #still} means anything outside a
+ * world, and is only ever set; so threads do not disturb each other's lone units.
  */
 final class Columns {
     /** Most rows. What a pass over them touches stays in a first-level cache of 32 KB. */
@@ -17,7 +17,7 @@ final class Columns {
     /** Most rows of blocks that share their arrays. */
     static final int SHARED = 8 * BLOCK;
 
-    /** Loops run over a multiple of this many rows, the last of which nobody may use; see {@link Kernel}. */
+    /** Loops run over a multiple of this many rows, the last of which nobody may use; see {@link Passes}. */
     static final int LANES = 32;
 
     /** In place of the number of a row. */

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import yarts.physics.Snapshot;
+import yarts.physics.Timestep;
 
 /** Every value is checked as the setters would, and more: bytes hold a state that a world can be in, or are refused. */
 class RefusedBytesTest {
@@ -109,6 +110,29 @@ class RefusedBytesTest {
         assertTrue(Saves.refused(Saves.repair(save)).startsWith("vx must be 0 "));
         Saves.places(1).get("vx").put(save, 0);
         Saves.assertSound(Snapshot.fromBytes(Saves.repair(save)));
+    }
+
+    /** It would come to rest beside others that move, and not alone. */
+    @Test
+    void aFrozenUnitOnItsWayToRestIsRefused() {
+        for (String v : List.of("vx", "vy")) {
+            byte[] save = Saves.save(3);
+            Saves.places(1).get(v).put(save, Math.nextDown(0x1p-500));
+            Saves.assertSound(Snapshot.fromBytes(Saves.repair(save)));
+            Saves.places(1).get("frozen").put(save, 1);
+            assertTrue(Saves.refused(Saves.repair(save)).startsWith(v + " must be 0 or at least 3.05"));
+            Saves.places(1).get(v).put(save, 0x1p-500);
+            Saves.assertSound(Snapshot.fromBytes(Saves.repair(save)));
+        }
+    }
+
+    @Test
+    void variableStepsLeaveNoRemainderNorItsError() {
+        for (String name : List.of("remainder", "remainderError")) {
+            byte[] save = Saves.save(3, Timestep.variable(0.02));
+            Saves.places(0).get(name).put(save, name.equals("remainder") ? 1L : 0.25);
+            assertTrue(Saves.refused(Saves.repair(save)).startsWith(name + " must be "));
+        }
     }
 
     /** As far apart as two doubles can be, so that half-way between them would be no number. */
