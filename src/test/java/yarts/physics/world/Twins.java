@@ -469,8 +469,8 @@ final class Twins {
         assertEquals(a.isFrozen(), u.isFrozen());
         twin.comparePending();
         for (double alpha : ALPHAS) {
-            same("x at " + alpha, between(twin.previousX, a.getX(), alpha), u.getInterpolatedX(alpha));
-            same("y at " + alpha, between(twin.previousY, a.getY(), alpha), u.getInterpolatedY(alpha));
+            same("x at an alpha", between(twin.previousX, a.getX(), alpha), u.getInterpolatedX(alpha));
+            same("y at an alpha", between(twin.previousY, a.getY(), alpha), u.getInterpolatedY(alpha));
         }
     }
 

@@ -26,7 +26,7 @@ class WorldPropertyTest {
         history.withInvariant("every getter, to the bit", Twins::compare).run();
     }
 
-    @Property(tries = 20_000)
+    @Property(tries = 10_000)
     @Tag("long")
     void aWorldEqualsItsUnitsSteppedAloneAtLength(@ForAll("histories") ActionChain<Twins> history) {
         aWorldEqualsItsUnitsSteppedAlone(history);
