@@ -57,19 +57,19 @@ public final class SkirmishFilm {
     public void report(PrintStream out) {
         Tank[] tanks = game.tanks();
         long ticks = game.world().getTick();
-        double steps = (double) tanks.length * ticks;
         double seconds = stepNanos / 1e9;
-        double library = (stepNanos - game.gameNanos()) / steps;
-        long across = Arrays.stream(tanks).filter(Tank::isAcross).count();
-        long hit = Arrays.stream(tanks).filter(tank -> tank.hits > 0).count();
-        long shoves = Arrays.stream(tanks).mapToInt(tank -> tank.hits).sum();
+        long thrown = Arrays.stream(tanks).filter(tank -> tank.lastHit() > 0).count();
+        long placed = Arrays.stream(tanks).filter(tank -> tank.astray() < 1).count();
         out.printf(Locale.ROOT, "%nThe skirmish: %,d tanks, %,d ticks of 1/60 s, EULER%n", tanks.length, ticks);
         line(out, "played in", "%.1f s, without the pictures: %.0f times real time", seconds, game.time() / seconds);
-        line(out, "library", "%.0f ns a tank and step, in a JVM that has just started", library);
-        line(out, "game", "%.0f ns a tank and step: driving, keeping apart, blasts", game.gameNanos() / steps);
-        line(out, "blasts", "%,d, which threw %,d tanks %,d times", game.blastCount(), hit, shoves);
-        line(out, "broke through", "%,d tanks are past the middle", across);
-        line(out, "state", "%08x, the same on every machine and in every run", game.stateHash());
+        line(
+                out,
+                "a tick takes",
+                "%.0f ns a tank, driving, keeping apart and blasts included",
+                stepNanos / (double) ticks / tanks.length);
+        line(out, "blasts", "%,d, which have thrown %,d tanks", game.blastCount(), thrown);
+        line(out, "in place", "%,d tanks are within 1 m of their place in the ranks", placed);
+        line(out, "state", "%016x, the same on every machine and in every run", game.stateHash());
     }
 
     private static void line(PrintStream out, String label, String format, Object... values) {

@@ -22,7 +22,6 @@ import javax.swing.JToolBar;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import yarts.physics.Integrator;
-import yarts.physics.Timestep;
 
 /**
  * Plays a skirmish live: a frame's real time goes into {@code World.advance}, and interpolated positions come out, however
@@ -107,16 +106,17 @@ final class SkirmishWindow {
 
     /** Takes over what the controls say. */
     private void apply() {
-        game.use(integrator.getItemAt(integrator.getSelectedIndex()), Timestep.fixed(ticksPerSecond()));
-        game.setNaiveFriction(naive.isSelected());
+        game.setIntegrator(integrator.getItemAt(integrator.getSelectedIndex()));
+        game.setTicksPerSecond(ticksPerSecond());
+        game.setNaive(naive.isSelected());
     }
 
     private void frame() {
         long now = System.nanoTime();
-        if (!pause.isSelected()) game.world().advance((now - last) / 1e9);
+        if (!pause.isSelected()) game.advance((now - last) / 1e9);
         last = now;
         field.repaint();
-        double z = Tank.FRICTION / Tank.MASS / ticksPerSecond();
+        double z = Tank.FRICTION / ticksPerSecond();
         status.setText(String.format(
                 Locale.ROOT,
                 "z = f dt/m = %.2f: the last step turned round %,d of %,d tanks, by %sshoves and blasts",

@@ -15,7 +15,8 @@ import yarts.physics.World;
  * alone, so that it can be played on any JVM.
  */
 public final class Churn {
-    private static final long GOLDEN = 0x9E3779B97F4A7C15L;
+    /** What SplitMix64 adds each time. */
+    public static final long GOLDEN = 0x9E3779B97F4A7C15L;
 
     private static final Timestep[] TIMESTEPS = {
         Timestep.fixed(60).withMaxSteps(4),
