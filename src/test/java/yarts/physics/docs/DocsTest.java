@@ -42,7 +42,7 @@ import yarts.physics.Unit;
  */
 class DocsTest {
     private static final Pattern PRINTS = Pattern.compile("// prints (.*)");
-    private static final Pattern LINK = Pattern.compile("]\\(([^)#:]+)(?:#([^)]*))?\\)");
+    private static final Pattern LINK = Pattern.compile("]\\(([^)#:]*)(?:#([^)]*))?\\)");
     private static final Pattern NAME = Pattern.compile("`([A-Z]\\w+(?:\\.\\w+)?)`");
 
     @TempDir
@@ -71,7 +71,7 @@ class DocsTest {
         for (Path page : pages()) {
             for (MatchResult link :
                     LINK.matcher(Files.readString(page)).results().collect(Collectors.toList())) {
-                Path target = page.toAbsolutePath().resolveSibling(link.group(1));
+                Path target = link.group(1).isEmpty() ? page : page.resolveSibling(link.group(1));
                 assertTrue(Files.exists(target), page + " links to " + link.group());
                 if (link.group(2) == null) continue;
                 assertTrue(
@@ -110,13 +110,23 @@ class DocsTest {
 
     @Test
     void readmeAsksForTheVersionThatThePomBuilds() throws IOException {
-        Pattern coordinates = Pattern.compile("(<artifactId>yarts-physics</artifactId>\\s*<version>.*?</version>)");
-        assertEquals(
-                find(coordinates, Files.readString(Path.of("pom.xml"))),
-                find(coordinates, Files.readString(Path.of("README.md"))));
+        Pattern coordinates = Pattern.compile("<artifactId>(yarts-physics)</artifactId>\\s*<version>(.*?)</version>");
+        String version =
+                named(coordinates, Files.readString(Path.of("pom.xml"))).get(0);
+        String readme = Files.readString(Path.of("README.md"));
+        assertEquals(List.of(version), named(coordinates, readme), "Maven");
+        Pattern gradle = Pattern.compile("[\"']io.github.yarts:(yarts-physics):(.*?)[\"']");
+        assertEquals(List.of(version, version), named(gradle, readme), "Gradle, in Kotlin and in Groovy");
     }
 
-    private static List<Path> pages() throws IOException {
+    private static List<String> named(Pattern pattern, String text) {
+        return pattern.matcher(text)
+                .results()
+                .map(m -> m.group(1) + ' ' + m.group(2))
+                .collect(Collectors.toList());
+    }
+
+    static List<Path> pages() throws IOException {
         try (Stream<Path> docs = Files.list(Path.of("docs"))) {
             return Stream.concat(
                             Stream.of(Path.of("README.md")),
