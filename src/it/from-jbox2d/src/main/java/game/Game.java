@@ -1,0 +1,107 @@
+package game;
+
+/** One scene in JBox2D and in yarts-physics: what is alike, and what differs by design. */
+public final class Game {
+    private static final double PUSH = 30_000, MASS = 1_000; // N, kg
+
+    private Game() {}
+
+    public static void main(String[] args) {
+        fliesAlike();
+        drivesAlikeAtHighTickRates();
+        leads();
+        hasAnotherTerminalSpeed();
+        losesAndMultipliesForces();
+        hasALimitOfItsOwn();
+        System.out.println("from-jbox2d: the shell flies alike, and the buggy drives alike at 1,000 steps a second;"
+                + " from z = 1 on JBox2D stands still where F/f is 0.5 m/s; a push a frame depends on the frame rate");
+    }
+
+    /** Free flight and an impulse are the same but for rounding, which is that of floats in JBox2D. */
+    private static void fliesAlike() {
+        flies(new JBox2dScene(60, 0), 0.01, 1e-5);
+        flies(new YartsScene(60, 0), 1e-9, 1e-12);
+    }
+
+    private static void flies(Scene scene, double metres, double metresPerSecond) {
+        play(scene, 5, 60);
+        scene.hit(-500, 250);
+        play(scene, 5, 60);
+        near(5 * 30 + 5 * 20, scene.shell().x(), metres, "the shell's x");
+        near(100 + 5 * 40 + 5 * 45, scene.shell().y(), metres, "the shell's y");
+        near(20, scene.shell().vx(), metresPerSecond, "the shell's velocity along x");
+        near(45, scene.shell().vy(), metresPerSecond, "the shell's velocity along y");
+    }
+
+    /** Damping is friction/mass. The two tend to one motion as z = f dt/m becomes small; here it is 0.0015. */
+    private static void drivesAlikeAtHighTickRates() {
+        double friction = 1_500, z = friction / MASS / 1_000, t = 1;
+        Scene before = new JBox2dScene(1_000, friction), after = new YartsScene(1_000, friction);
+        play(before, t, 1_000);
+        play(after, t, 1_000);
+        double v = PUSH / friction * -Math.expm1(-friction / MASS * t);
+        near(v, after.buggy().vx(), 1e-9, "the closed form");
+        near(v, before.buggy().vx(), 2 * z * PUSH / friction, "JBox2D comes near it");
+    }
+
+    /** Without friction both get the right speed; JBox2D's place is ahead by a t dt/2. */
+    private static void leads() {
+        Scene before = new JBox2dScene(60, 0), after = new YartsScene(60, 0);
+        play(before, 1, 60);
+        play(after, 1, 60);
+        double a = PUSH / MASS;
+        near(a, before.buggy().vx(), 1e-4, "JBox2D's speed");
+        near(a, after.buggy().vx(), 1e-9, "the speed");
+        near(a / 2, after.buggy().x(), 1e-9, "the way is a t²/2");
+        near(a / 2 + a / 120, before.buggy().x(), 1e-4, "JBox2D's way");
+    }
+
+    /** Damping after the push leaves (1 - z) of F/f, and nothing from z = 1 on. */
+    private static void hasAnotherTerminalSpeed() {
+        double friction = 60_000;
+        for (int rate : new int[] {20, 60, 120, 240}) {
+            double z = friction / MASS / rate;
+            Scene before = new JBox2dScene(rate, friction), after = new YartsScene(rate, friction);
+            play(before, 2, rate);
+            play(after, 2, rate);
+            near(PUSH / friction, after.buggy().vx(), 1e-12, "F/f at z = " + z);
+            near(Math.max(0, 1 - z) * PUSH / friction, before.buggy().vx(), 1e-6, "JBox2D at z = " + z);
+        }
+    }
+
+    /**
+     * A push a frame, at steps of 1/60 s: JBox2D gives it to the next step, be there four in the frame or a quarter. It is to
+     * be pushed before each step, in the loop over them.
+     */
+    private static void losesAndMultipliesForces() {
+        for (int framesPerSecond : new int[] {15, 60, 240}) {
+            Scene before = new JBox2dScene(60, 0), after = new YartsScene(60, 0);
+            play(before, 1, framesPerSecond);
+            play(after, 1, framesPerSecond);
+            near(PUSH / MASS, after.buggy().vx(), 1e-9, "a push of 1 s at " + framesPerSecond);
+            double v = PUSH / MASS * framesPerSecond / 60;
+            near(v, before.buggy().vx(), 0.02 * v, "JBox2D at " + framesPerSecond);
+        }
+    }
+
+    /** JBox2D's is 2 m a step, a constant; a unit has a top speed if it is given one. */
+    private static void hasALimitOfItsOwn() {
+        Scene before = new JBox2dScene(60, 0), after = new YartsScene(60, 0);
+        for (Scene scene : new Scene[] {before, after}) {
+            scene.hit(50 * 270, 50 * 360);
+            play(scene, 1, 60);
+        }
+        near(500, Math.hypot(after.shell().vx(), after.shell().vy()), 1e-9, "the speed");
+        near(120, Math.hypot(before.shell().vx(), before.shell().vy()), 1e-4, "JBox2D's speed");
+    }
+
+    private static void play(Scene scene, double seconds, int framesPerSecond) {
+        for (int frame = 0; frame < seconds * framesPerSecond; frame++) scene.frame(1.0 / framesPerSecond);
+    }
+
+    private static void near(double expected, double actual, double within, String claim) {
+        if (!(Math.abs(actual - expected) <= within)) {
+            throw new IllegalStateException(claim + ": expected " + expected + ", was " + actual);
+        }
+    }
+}

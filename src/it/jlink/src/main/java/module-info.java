@@ -1,0 +1,4 @@
+/** A game that is linked with its runtime. */
+module game {
+    requires yarts.physics;
+}

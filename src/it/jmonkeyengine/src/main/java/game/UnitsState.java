@@ -1,0 +1,25 @@
+package game;
+
+import com.jme3.app.state.AbstractAppState;
+import com.jme3.scene.Spatial;
+import java.util.HashMap;
+import java.util.Map;
+import yarts.physics.Integrator;
+import yarts.physics.Timestep;
+import yarts.physics.Unit;
+import yarts.physics.World;
+
+// tag::adapter[]
+/** Steps a world once a frame, and moves the spatials of its units over the ground, which is x and z in jME. */
+final class UnitsState extends AbstractAppState {
+    final World world = new World(Integrator.EXACT, Timestep.fixed(60));
+    final Map<Unit, Spatial> spatials = new HashMap<>();
+
+    @Override
+    public void update(float tpf) {
+        world.advance(tpf);
+        spatials.forEach((unit, spatial) ->
+                spatial.setLocalTranslation((float) unit.getInterpolatedX(), 0, (float) -unit.getInterpolatedY()));
+    }
+}
+// end::adapter[]
