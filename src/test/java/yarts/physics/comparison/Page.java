@@ -16,7 +16,7 @@ import java.util.Map;
 
 /**
  * The tables of docs/comparison.md, between {@code <!-- table: name -->} and {@code <!-- end -->}: they hold what was
- * measured, or the test fails. With {@code -Dcomparison.write=true} they are written.
+ * measured, or the test fails. With {@code -Ddocs.write} they are written.
  */
 final class Page {
     private static final Path FILE = Path.of("docs/comparison.md");
@@ -36,10 +36,10 @@ final class Page {
         String page = read(), start = "<!-- table: " + name + " -->\n";
         int from = page.indexOf(start) + start.length(), to = page.indexOf(END, from);
         assertTrue(from >= start.length() && to >= 0, FILE + " has no table " + name);
-        if (Boolean.getBoolean("comparison.write")) {
+        if (System.getProperty("docs.write") != null) {
             write(page.substring(0, from) + table + page.substring(to));
         } else {
-            assertEquals(table.toString(), page.substring(from, to), FILE + ": -Dcomparison.write=true writes it anew");
+            assertEquals(table.toString(), page.substring(from, to), FILE + ": -Ddocs.write writes it anew");
         }
     }
 
