@@ -2,8 +2,10 @@ package game;
 
 import com.badlogic.gdx.ApplicationAdapter;
 import com.badlogic.gdx.Gdx;
+import com.badlogic.gdx.Input;
 import com.badlogic.gdx.backends.headless.HeadlessApplication;
 import com.badlogic.gdx.backends.headless.HeadlessApplicationConfiguration;
+import com.badlogic.gdx.backends.headless.mock.input.MockInput;
 import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.math.Vector2;
 import yarts.physics.Integrator;
@@ -29,6 +31,17 @@ public final class Game extends ApplicationAdapter {
     private final Vector2 force = new Vector2(); // N
     private final float[] vertices = new float[2 * world.size()];
 
+    /** The game of the docs, without a screen to draw on. */
+    private final Battle battle = new Battle() {
+        @Override
+        protected void draw(float x, float y) {
+            require(x >= battleX && y == 0, "the docs' tank only drives on: from " + battleX + " to " + x);
+            battleX = x;
+        }
+    };
+
+    private float battleX; // m
+
     private int frames;
     private double elapsed; // s
     private double impulseX, impulseY; // N·s, given to the steered tank
@@ -46,7 +59,18 @@ public final class Game extends ApplicationAdapter {
     }
 
     @Override
+    public void create() {
+        Gdx.input = new MockInput() {
+            @Override
+            public boolean isKeyPressed(int key) {
+                return key == Input.Keys.RIGHT;
+            }
+        };
+    }
+
+    @Override
     public void render() {
+        battle.render();
         double dt = Gdx.graphics.getDeltaTime();
         frames++;
         elapsed += dt;
@@ -73,6 +97,7 @@ public final class Game extends ApplicationAdapter {
         long ticks = world.getTick();
         double rounding = frames * 0.5e-9 / RATE; // s: each frame's time is rounded to 1e-9 of a tick
         require(world.getDroppedTime() == 0, "no time was dropped");
+        require(battleX > 1 && battleX < 10 * world.getTime(), "the docs' tank has driven off: " + battleX);
         double covered = (ticks + world.getAlpha()) / RATE;
         near(elapsed, covered, rounding + 1e-6 / RATE, "the ticks and the part of one");
 

@@ -1,0 +1,14 @@
+package game
+
+// tag::tank[]
+import yarts.physics.Unit as Body // Unit is Kotlin's own word for no value
+
+class Tank(val engine: Double) : Body(40_000.0) { // kg
+    init {
+        friction = 8_000.0 // N·s/m
+        maxSpeed = 15.0 // m/s
+    }
+
+    fun drive() = applyForce(engine, 0.0)
+}
+// end::tank[]

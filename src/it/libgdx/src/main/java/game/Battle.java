@@ -1,0 +1,46 @@
+package game;
+
+import com.badlogic.gdx.ApplicationAdapter;
+import com.badlogic.gdx.Gdx;
+import com.badlogic.gdx.Input;
+import com.badlogic.gdx.graphics.Color;
+import com.badlogic.gdx.graphics.Texture;
+import com.badlogic.gdx.graphics.g2d.SpriteBatch;
+import com.badlogic.gdx.utils.ScreenUtils;
+import yarts.physics.Integrator;
+import yarts.physics.Timestep;
+import yarts.physics.Unit;
+import yarts.physics.World;
+
+/** The game that README and guide show. */
+// tag::battle[]
+public class Battle extends ApplicationAdapter {
+    private SpriteBatch batch;
+    private Texture picture;
+
+    // tag::render[]
+    private final World world = new World(Integrator.EXACT, Timestep.fixed(60));
+    private final Unit tank = world.add(new Unit(40_000).setFriction(8_000).setMaxSpeed(15)); // kg, N·s/m, m/s
+
+    @Override
+    public void render() {
+        if (Gdx.input.isKeyPressed(Input.Keys.RIGHT)) tank.applyForce(80_000, 0); // N: tends to F/f = 10 m/s
+        world.advance(Gdx.graphics.getDeltaTime()); // whatever the frame rate, 60 steps a second
+        draw((float) tank.getInterpolatedX(), (float) tank.getInterpolatedY());
+    }
+    // end::render[]
+
+    @Override
+    public void create() {
+        batch = new SpriteBatch();
+        picture = new Texture("tank.png");
+    }
+
+    protected void draw(float x, float y) {
+        ScreenUtils.clear(Color.BLACK);
+        batch.begin();
+        batch.draw(picture, x, y);
+        batch.end();
+    }
+}
+// end::battle[]

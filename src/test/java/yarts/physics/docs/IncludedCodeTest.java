@@ -1,0 +1,111 @@
+package yarts.physics.docs;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/**
+ * The docs show the code of the games in src/it, which are compiled and run, and not a copy of it. A page says
+ * {@code <!-- include: file tag -->} before a block; in the file the lines stand between {@code // tag::…[]} and
+ * {@code // end::…[]}, as in AsciiDoc.
+ *
+ * <pre>{@code mvn test -Dtest=IncludedCodeTest -Ddocs.write   # writes the blocks anew}</pre>
+ */
+class IncludedCodeTest {
+    private static final Pattern INCLUDE =
+            Pattern.compile("<!-- include: (\\S+) (\\S+) -->\n(```[^\n]*\n)(.*?)```\n", Pattern.DOTALL);
+    private static final Pattern TAG = Pattern.compile("// tag::(\\w+)\\[]");
+
+    /** An adapter that needs more says that the library's API is wrong. */
+    private static final int LONGEST_ADAPTER = 10;
+
+    @Test
+    void everyIncludedBlockIsTheCodeThatRuns() throws IOException {
+        int blocks = 0;
+        for (Path page : DocsTest.pages()) {
+            String text = Files.readString(page);
+            StringBuilder anew = new StringBuilder();
+            Matcher include = INCLUDE.matcher(text);
+            for (; include.find(); blocks++) {
+                String code = region(Path.of(include.group(1)), include.group(2));
+                String block = "<!-- include: " + include.group(1) + ' ' + include.group(2) + " -->\n"
+                        + include.group(3) + code + "```\n";
+                include.appendReplacement(anew, Matcher.quoteReplacement(block));
+            }
+            include.appendTail(anew);
+            if (System.getProperty("docs.write") != null) Files.writeString(page, anew);
+            else
+                assertEquals(anew.toString(), text, page + " is not what the code is: run this test with -Ddocs.write");
+        }
+        assertTrue(blocks > 10, "no page includes anything");
+    }
+
+    @Test
+    void everyTaggedPieceOfAGameIsInTheDocs() throws IOException {
+        StringBuilder pages = new StringBuilder();
+        for (Path page : DocsTest.pages()) pages.append(Files.readString(page));
+        for (Path game : games()) {
+            for (MatchResult tag : TAG.matcher(Files.readString(game)).results().collect(Collectors.toList())) {
+                String include = "<!-- include: " + game.toString().replace('\\', '/') + ' ' + tag.group(1) + " -->";
+                assertTrue(pages.toString().contains(include), "no page has " + include);
+            }
+        }
+    }
+
+    @Test
+    void anAdapterHasTenLinesAtMost() throws IOException {
+        List<String> seen = new ArrayList<>();
+        for (Path game : games()) {
+            if (!Files.readString(game).contains("// tag::adapter[]")) continue;
+            List<String> lines = region(game, "adapter")
+                    .lines()
+                    .map(String::strip)
+                    .filter(line -> !line.isEmpty() && !line.matches("(//|/\\*|\\*|import ).*"))
+                    .collect(Collectors.toList());
+            assertFalse(lines.isEmpty(), game.toString());
+            assertTrue(lines.size() <= LONGEST_ADAPTER, game + " needs " + lines.size() + " lines: " + lines);
+            seen.add(game.toString());
+        }
+        assertTrue(seen.size() > 5, "of few games only: " + seen);
+    }
+
+    private static List<Path> games() throws IOException {
+        try (Stream<Path> files = Files.walk(Path.of("src/it"))) {
+            return files.filter(file -> file.toString().matches(".*\\.(java|kt)"))
+                    .sorted()
+                    .collect(Collectors.toList());
+        }
+    }
+
+    /** The lines between two tags, as far to the left as they go. */
+    private static String region(Path file, String tag) throws IOException {
+        List<String> lines = Files.readAllLines(file), region = new ArrayList<>();
+        int begin = index(lines, "// tag::" + tag + "[]", file), end = index(lines, "// end::" + tag + "[]", file);
+        for (String line : lines.subList(begin + 1, end)) if (!line.matches(" *// (tag|end)::.*")) region.add(line);
+        int indent = region.stream()
+                .filter(line -> !line.isBlank())
+                .mapToInt(line -> line.length() - line.stripLeading().length())
+                .min()
+                .orElseThrow(() -> new AssertionError(file + " has nothing at " + tag));
+        return region.stream()
+                .map(line -> (line.isBlank() ? "" : line.substring(indent)) + "\n")
+                .collect(Collectors.joining());
+    }
+
+    private static int index(List<String> lines, String mark, Path file) {
+        for (int i = 0; i < lines.size(); i++) if (lines.get(i).strip().equals(mark)) return i;
+        throw new AssertionError(file + " has no " + mark);
+    }
+}
