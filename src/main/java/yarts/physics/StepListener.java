@@ -8,7 +8,7 @@ package yarts.physics;
  * Stepping, saving or restoring the world from here is an {@link IllegalStateException}.
  *
  * <p>An exception thrown before a step stops it: it changes no unit, and the forces for it are dropped. One thrown after
- * it does not take it back. Either ends {@link World#advance}, which drops the time of the steps that were yet to come.
+ * it does not take it back. Either ends {@code World.advance}, which drops the time of the steps that were yet to come.
  */
 @FunctionalInterface
 public interface StepListener {

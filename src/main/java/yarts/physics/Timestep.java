@@ -1,7 +1,7 @@
 package yarts.physics;
 
 /**
- * How {@link World#advance} turns the seconds of a frame into steps. Immutable.
+ * How {@code World.advance} turns the seconds of a frame into steps. Immutable.
  *
  * <pre>{@code
  * Timestep.fixed(60)                   // always 1/60 s: the same steps on every machine
@@ -57,7 +57,7 @@ public final class Timestep {
     }
 
     /**
-     * Limits how many steps one {@link World#advance} may run. The time beyond is dropped, with the forces' share of it,
+     * Limits how many steps one {@code World.advance} may run. The time beyond is dropped, with the forces' share of it,
      * and counted in {@link World#getDroppedTime()}: a game that cannot keep up slows down rather than fall behind further with every frame.
      *
      * @param n the most steps, at least 1

@@ -74,7 +74,7 @@ public class Unit extends Row {
 
     /**
      * {@return the force along x that was applied and has not acted yet, in N} In {@link StepListener#beforeStep} it is that
-     * of the step to come. After {@link World#advance} it is 0, but a part of its impulse may be pending.
+     * of the step to come. After {@code World.advance} it is 0, but a part of its impulse may be pending.
      *
      * @see #getPendingImpulseX()
      */
@@ -266,7 +266,7 @@ public class Unit extends Row {
 
     /**
      * Adds a force, which acts for the time by which the unit is advanced next: the dt of {@link #integrate(double)} and
-     * {@link World#step(double)}, the elapsed time of {@link World#advance}, or the one step that a {@link StepListener} is
+     * {@code World.step(dt)}, the elapsed time of {@code World.advance}, or the one step that a {@link StepListener} is
      * called before. Forces add up until then.
      *
      * @param fx in N, at most 1e50 in magnitude
@@ -311,7 +311,7 @@ public class Unit extends Row {
     }
 
     /**
-     * Steps this unit alone, and clears the forces: as {@link World#step(double)}, to the bit.
+     * Steps this unit alone, and clears the forces: as {@code World.step(dt)}, to the bit.
      *
      * @param dt in seconds, from 0 to 1e9
      * @param integrator the integrator
