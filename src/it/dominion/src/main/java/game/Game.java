@@ -29,7 +29,12 @@ public final class Game {
     private int lost;
 
     public static void main(String[] args) {
-        new Game().play();
+        Game game = new Game();
+        try {
+            game.play();
+        } finally {
+            game.scheduler.shutDown(); // its threads would keep a game that failed alive
+        }
     }
 
     /** Systems run one after the other, in threads of the scheduler. */
@@ -77,7 +82,6 @@ public final class Game {
         entities.values().forEach(dominion::deleteEntity);
         scheduler.tick(0);
         require(world.size() == 0, "no entity, no unit");
-        require(scheduler.shutDown(), "the scheduler's threads end");
         System.out.println(
                 "dominion: " + lost + " of " + (TANKS + FRAMES / 60) + " entities deleted with their units in " + FRAMES
                         + " frames; the others as in a plain World to the bit, and where the closed form says");
