@@ -64,7 +64,7 @@ final class Clock {
     private long parts(double elapsed, long seconds) {
         long ns = (long) ((elapsed - seconds) * 1e9 + 0.5);
         if ((seconds * STEP + ns) / 1e9 == elapsed) return ns * timestep.rate;
-        double exact = (elapsed - seconds) * (1e9 * timestep.rate) + remainderError;
+        double exact = 1e9 * timestep.rate * (elapsed - seconds) + remainderError;
         long rounded = (long) (exact + 0.5);
         remainderError = exact - rounded;
         return rounded;
@@ -104,11 +104,11 @@ final class Clock {
     }
 
     double time() {
-        return inSeconds(regular) + irregular.value();
+        return irregular.value() + inSeconds(regular); // in the order that Kernel asks for
     }
 
     double droppedTime() {
-        return inSeconds(droppedSteps) + dropped.value();
+        return dropped.value() + inSeconds(droppedSteps);
     }
 
     private double inSeconds(long steps) {

@@ -118,7 +118,7 @@ final class Coefficients {
             small(c, i);
         } else {
             c.decay[i] = Exponential.decay(z);
-            c.gain[i] *= (1 - c.decay[i]) / z;
+            c.gain[i] = (1 - c.decay[i]) / z * c.gain[i]; // in the order that Kernel asks for
         }
         share(c, i, dt, Exponential.lag(z, c.decay[i]));
     }

@@ -13,7 +13,8 @@ package yarts.physics;
  *
  * <p>Here it stands for one row; {@link Passes} does it for many. Where a branch would do, max(0, a) is written as
  * (a + |a|) / 2, which is exact, and cheaper than Math.max with its care for NaN and −0.0. Only + − * /, sqrt, abs, min
- * and max are used: the same bits everywhere.
+ * and max are used: the same bits everywhere. Of a sum's operands, one that is a sum is the first, and of a product's
+ * likewise: TeaVM's JavaScript has a + (b + c) without the parentheses.
  */
 final class Kernel {
     /** No unit is faster; in m/s. Its square, and that of what a step can add to it, do not overflow. */
@@ -45,7 +46,7 @@ final class Kernel {
 
     /** x'. */
     static double position(double x, double before, double v, double after, double next) {
-        return x + (before * v + after * next);
+        return before * v + after * next + x;
     }
 
     /**
@@ -73,7 +74,7 @@ final class Kernel {
     static double left(double vx, double vy, double cap) {
         double speed = speed(vx, vy), over = speed - cap;
         over = 0.5 * (over + Math.abs(over));
-        return cap / (cap + (over + Math.min(over * STEEP, speed * MARGIN)));
+        return cap / (over + Math.min(over * STEEP, speed * MARGIN) + cap);
     }
 
     /** The speed that a top speed comes to: the kernel takes neither 0 nor infinity. */

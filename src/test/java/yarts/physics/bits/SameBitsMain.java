@@ -1,6 +1,7 @@
 package yarts.physics.bits;
 
 import java.util.concurrent.ForkJoinPool;
+import java.util.function.Consumer;
 import yarts.physics.Integrator;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
@@ -17,9 +18,8 @@ public final class SameBitsMain {
     private final World world;
     private long hash;
 
-    private SameBitsMain(Integrator integrator, ForkJoinPool pool) {
+    private SameBitsMain(Integrator integrator) {
         world = new World(integrator, Timestep.fixed(60).withMaxSteps(4));
-        world.setPool(pool);
     }
 
     public static void main(String[] args) {
@@ -28,21 +28,27 @@ public final class SameBitsMain {
 
     /** {@return a line with a hash for each integrator} */
     static String play(int units, int ticks, int threads) {
-        ForkJoinPool pool = threads == 1 ? null : new ForkJoinPool(threads);
+        if (threads == 1) return play(units, ticks, world -> {});
+        ForkJoinPool pool = new ForkJoinPool(threads);
         try {
-            StringBuilder line = new StringBuilder();
-            for (Integrator integrator : Integrator.values()) {
-                long hash = new SameBitsMain(integrator, pool).run(units, ticks);
-                line.append(integrator)
-                        .append(' ')
-                        .append(Long.toHexString(hash))
-                        .append(' ');
-            }
-            if (pool != null && pool.getStealCount() == 0) throw new IllegalStateException("the pool had no work");
-            return line.toString().trim();
+            String line = play(units, ticks, world -> world.setPool(pool));
+            if (pool.getStealCount() == 0) throw new IllegalStateException("the pool had no work");
+            return line;
         } finally {
-            if (pool != null) pool.shutdown();
+            pool.shutdown();
         }
+    }
+
+    /** As above, in worlds set up by the caller. This needs no threads, so that it can be played where there are none. */
+    public static String play(int units, int ticks, Consumer<World> setUp) {
+        StringBuilder line = new StringBuilder();
+        for (Integrator integrator : Integrator.values()) {
+            SameBitsMain game = new SameBitsMain(integrator);
+            setUp.accept(game.world);
+            line.append(integrator).append(' ');
+            line.append(Long.toHexString(game.run(units, ticks))).append(' ');
+        }
+        return line.toString().trim();
     }
 
     private long run(int units, int ticks) {
