@@ -1,50 +1,70 @@
 package yarts.physics.demo;
 
-/** Some ranks of tanks that move as one: their places are counted from the front line, which orders move. */
+import yarts.physics.support.Churn;
+
+/** Twenty tanks in ranks and files, which keep their places behind their echelon's line as it moves and bends. */
 final class Company {
-    static final int FILES = 10, RANKS = 5;
+    static final int FILES = 5, RANKS = 4;
     static final int SIZE = FILES * RANKS;
-    static final double FILE = 5.2, RANK = 6; // m from one tank to the next
+    static final double FILE = 4.3, RANK = 6.4; // m from one tank to the next
     /** From the first rank of a company to that of the one behind it. */
-    static final double DEPTH = RANKS * RANK + 6; // m
+    static final double DEPTH = 30; // m
 
-    final boolean west;
-    final int lane;
-    /** How many companies of the lane are before it. */
-    final int depth;
-    /** Where the middle of no man's land is, as this company has been told. */
-    double front;
+    /** How far the flanks of every second company hang back, for each file, and every second rank is shifted. */
+    private static final double WEDGE = 1.9, STAGGER = FILE / 2; // m
 
-    private double next;
-    private double when = Double.POSITIVE_INFINITY;
+    /** How far behind its place it begins, and how far before it a sally goes. */
+    private static final double ASSEMBLY = 30, SALLY = 9; // m
 
-    Company(boolean west, int lane, int depth, double front) {
-        this.west = west;
-        this.lane = lane;
-        this.depth = depth;
-        this.front = front;
+    private static final double SALLY_TIME = 4; // s
+
+    final Front.Line line;
+    /** Where its middle file is, from north to south. */
+    private final double middle;
+    /** When it sets out, and when it turns back from a sally; in s. */
+    private final double start;
+
+    private double until;
+    private double behind = ASSEMBLY; // m
+
+    Company(Front.Line line, double middle, double start) {
+        this.line = line;
+        this.middle = middle;
+        this.start = start;
     }
 
-    /** Goes there at a time. */
-    void order(double next, double when) {
-        this.next = next;
-        this.when = when;
+    boolean isWest() {
+        return line.west;
     }
 
-    void obey(double time) {
-        if (time < when) return;
-        front = next;
-        when = Double.POSITIVE_INFINITY;
+    /** Runs out before the others for a while. */
+    void sally(double time) {
+        until = time + SALLY_TIME;
     }
 
-    /** Where a rank is to stand. */
-    double x(int rank) {
-        double behind = Skirmish.NO_MANS_LAND / 2 + depth * DEPTH + rank * RANK;
-        return west ? front - behind : front + behind;
+    void march(double time, double dt) {
+        double goal = time < start ? ASSEMBLY : time < until ? -SALLY : 0;
+        behind += Skirmish.limit(goal - behind, Front.PACE * dt);
     }
 
-    double y(int file) {
-        double middle = Skirmish.HEIGHT / 2 + (lane - (Skirmish.LANES - 1) / 2.0) * Skirmish.LANE;
-        return middle + (file - (FILES - 1) / 2.0) * FILE;
+    /** Where a tank's place is, from north to south. */
+    double y(int rank, int file) {
+        return middle + (file - (FILES - 1) / 2.0) * FILE + STAGGER * (rank % 2 - 0.5);
+    }
+
+    /** How far its place is behind the company's first rank. */
+    double back(int rank, int file) {
+        return rank * RANK + (line.depth % 2 == 1 ? WEDGE * Math.abs(file - (FILES - 1) / 2.0) : 0);
+    }
+
+    /** Where a place is, from west to east. */
+    double x(double back, double y) {
+        double depth = Skirmish.NO_MANS_LAND / 2 + line.depth * DEPTH + behind + back;
+        return Skirmish.WIDTH / 2 + line.at(y) + (line.west ? -depth : depth);
+    }
+
+    long hash(long hash) {
+        return Churn.scramble(
+                Churn.scramble(hash + Double.doubleToRawLongBits(behind)) + Double.doubleToRawLongBits(until));
     }
 }

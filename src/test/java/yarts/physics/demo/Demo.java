@@ -26,7 +26,7 @@ import picocli.CommandLine.Option;
         description = "Prints the jitters, plays a skirmish of 2 x 1,000 tanks, and draws both.")
 public final class Demo implements Callable<Integer> {
     private static final int TANKS_AN_ARMY = 1000;
-    private static final int SECONDS = 30;
+    private static final int SECONDS = 20;
     private static final long SEED = 1;
     private static final int LINE = 79; // characters
 

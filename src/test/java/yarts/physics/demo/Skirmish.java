@@ -1,95 +1,83 @@
 package yarts.physics.demo;
 
-import java.util.ArrayDeque;
 import java.util.Arrays;
-import java.util.Deque;
 import yarts.physics.Integrator;
 import yarts.physics.Timestep;
 import yarts.physics.World;
 import yarts.physics.support.Churn;
 
 /**
- * A game of two armies that hold a front against each other. Orders move the front to and fro, lane by lane; companies
- * advance and withdraw in turn; shells throw tanks out of the ranks, and they drive back to their places. Before each step
- * the game drives its tanks, keeps them apart and fires; the world moves them. The same seed plays the same battle, to the
- * bit, on the web as on a JVM.
+ * A game of two armies that hold a front against each other. The front bends to and fro, companies follow it, sally and
+ * withdraw, shells throw tanks out of the ranks, and they drive back to their places. Before each step the game drives its
+ * tanks, keeps them apart and fires; the world moves them. The same seed plays the same battle, to the bit, on the web as
+ * on a JVM.
  */
 public final class Skirmish {
     public static final int TICKS_PER_SECOND = 60;
     public static final double WIDTH = 400; // m
     public static final double HEIGHT = 300; // m
 
-    static final int LANES = 5;
-    static final double LANE = 58; // m
-    static final double NO_MANS_LAND = 24; // m
-
-    /** How far apart the armies begin: each by so much behind the first line. */
-    private static final double ASSEMBLY = 34; // m
-    /** How far the front may be from the middle, and one lane's front from the next one's. */
-    private static final double FARTHEST = 36, STEEPEST = 24; // m
-
-    private static final double SHORTEST = 10; // m: an order
-    private static final double ORDERS_PER_SECOND = 1.2;
-    private static final double COMPANY_DELAY = 0.8, ATTACK_DELAY = 2.5, LANE_DELAY = 0.7; // s
+    static final double NO_MANS_LAND = 34; // m
+    private static final int MOST_LANES = 12;
+    private static final double WIDEST_LANE = 48, MARGIN = 5; // m
+    private static final double ORDERS_PER_SECOND = 0.8, SALLIES_PER_SECOND = 1;
+    private static final double FIRST_SHOT = 3, FIRST_ORDER = 5; // s
 
     /** Tanks closer than the first are pushed apart gently, and closer than the second firmly. */
-    private static final double APART = 4.6, TOUCH = 3.6; // m
+    private static final double APART = 4.2, TOUCH = 3.6; // m
 
     private static final double GENTLE = 2.5, FIRM = 12; // m/s, for tanks in the same place
 
-    private static final double SHELLS_PER_SECOND = 0.004; // of each tank
-    static final double BLAST_RADIUS = 13; // m
-    /** How fast a blast throws a tank at its centre: friction stops it within 6 m. */
-    private static final double BLAST = 240; // m/s
+    /** Where and when a shell burst; in m and s. */
+    public record Blast(double x, double y, double time) {}
 
-    private static final int KEPT_BLASTS = 24;
-
-    /** Where and when a shell burst, and where it came from; a player's comes from where it bursts. */
-    public record Blast(double x, double y, double time, double fromX, double fromY) {}
+    /** One in flight: from where, to where, when it was fired and when it bursts. Only a heavy one makes a blast. */
+    public record Shell(double fromX, double fromY, double x, double y, double fired, double bursts, boolean heavy) {}
 
     private final Tank[] tanks;
     private final Company[] companies;
-    /** Where the fronts of the lanes are ordered to be. */
-    private final double[] front = new double[LANES];
-
+    private final Front front;
+    private final Artillery artillery;
+    private final Dice dice;
     private final Grid grid;
     private final Grid.Pair keepApart = this::keepApart;
     private final double[] x, y, fx, fy;
-    private final Deque<Blast> blasts = new ArrayDeque<>();
     private final World world = new World(Integrator.EULER, Timestep.fixed(TICKS_PER_SECOND));
     private boolean naive;
     private double friction = Tank.FRICTION * Tank.MASS; // N·s/m
     private double time; // s
-    private long seed;
-    private int blastCount, turned;
+    private int turned;
 
     public Skirmish(int tanksAnArmy, long seed) {
-        this.seed = Churn.scramble(seed);
-        Arrays.fill(front, WIDTH / 2);
+        dice = new Dice(seed);
         int perArmy = (tanksAnArmy + Company.SIZE - 1) / Company.SIZE;
+        int lanes = Math.min(perArmy, MOST_LANES);
+        front = new Front((perArmy + lanes - 1) / lanes);
         companies = new Company[2 * perArmy];
+        for (int i = 0; i < companies.length; i++) companies[i] = company(i % 2 == 0, i / 2, lanes);
         tanks = new Tank[2 * tanksAnArmy];
-        for (int i = 0; i < companies.length; i++) {
-            boolean west = i % 2 == 0;
-            // The middle lane first, then those on its left and right.
-            int k = i / 2 % LANES, lane = LANES / 2 + (k % 2 == 0 ? -k / 2 : k / 2 + 1);
-            companies[i] = new Company(west, lane, i / 2 / LANES, WIDTH / 2 + (west ? -ASSEMBLY : ASSEMBLY));
-            companies[i].order(WIDTH / 2, 1 + k * LANE_DELAY + companies[i].depth * COMPANY_DELAY);
-        }
         for (int i = 0; i < tanks.length; i++) {
-            int k = i / 2;
+            int k = i / 2, place = k % Company.SIZE;
             Company company = companies[k / Company.SIZE * 2 + i % 2];
-            int place = k % Company.SIZE;
-            tanks[i] = new Tank(company, place / Company.FILES, place % Company.FILES, near(0.35), near(0.35));
-            world.add(tanks[i]);
+            tanks[i] = world.add(new Tank(company, place / Company.FILES, place % Company.FILES, dice));
         }
+        artillery = new Artillery(tanks);
         x = new double[tanks.length];
         y = new double[tanks.length];
         fx = new double[tanks.length];
         fy = new double[tanks.length];
         grid = new Grid(WIDTH, HEIGHT, APART, tanks.length);
         world.setStepListener((w, dt) -> command(dt));
-        setNaive(false);
+        brake();
+    }
+
+    /** Companies go side by side from the middle outwards, and then behind each other. */
+    private Company company(boolean west, int index, int lanes) {
+        int k = index % lanes, depth = index / lanes, fromMiddle = (k + 1) / 2;
+        double lane = lanes / 2 + (k % 2 == 0 ? fromMiddle : -fromMiddle) - (lanes - 1) / 2.0;
+        double width = Math.min(WIDEST_LANE, (HEIGHT - 2 * MARGIN) / lanes);
+        double start = 0.5 + 0.3 * fromMiddle + 0.5 * depth;
+        return new Company(front.line(west, depth), HEIGHT / 2 + lane * width, start);
     }
 
     public void setIntegrator(Integrator integrator) {
@@ -103,13 +91,11 @@ public final class Skirmish {
     /** f/m, in 1/s. */
     public void setFriction(double perSecond) {
         friction = perSecond * Tank.MASS;
-        setNaive(naive);
     }
 
     /** Whether the game brakes its tanks itself, by a force of −f·v, as one does until one sees the jitters. */
     public void setNaive(boolean naive) {
         this.naive = naive;
-        for (Tank tank : tanks) tank.setFriction(naive ? 0 : friction);
     }
 
     /** Plays a frame's time; returns how many ticks that were. */
@@ -122,40 +108,42 @@ public final class Skirmish {
         world.step();
     }
 
+    /** A player's shell. */
+    public void blastAt(double x, double y) {
+        artillery.burst(x, y, time);
+    }
+
     /** What the game does before each step. */
-    private void command(double dt) {
+    void command(double dt) {
         time += dt;
+        if (time > FIRST_ORDER && dice.next() < ORDERS_PER_SECOND * dt) front.order(dice, time);
+        if (time > FIRST_ORDER && dice.next() < SALLIES_PER_SECOND * dt) sally();
+        front.march(time, dt);
+        for (Company company : companies) company.march(time, dt);
         turned = 0;
-        if (random() < ORDERS_PER_SECOND * dt) moveFront();
-        for (Company company : companies) company.obey(time);
         for (int i = 0; i < tanks.length; i++) {
             Tank tank = tanks[i];
-            if (tank.hasTurned()) turned++;
-            tank.drive(friction);
-            if (naive) tank.applyForce(-friction * tank.getVx(), -friction * tank.getVy());
+            if (tank.jitters()) turned++;
+            if (!tank.isSliding(time)) tank.drive(friction);
             x[i] = tank.getX();
             y[i] = tank.getY();
         }
+        brake();
         separate();
-        if (random() < SHELLS_PER_SECOND * tanks.length * dt) fire();
+        if (time > FIRST_SHOT) artillery.fire(dice, time, dt);
     }
 
-    /** One lane gives way, from the rear on; then the other side follows, its first company first. */
-    private void moveFront() {
-        int lane = (int) (random() * LANES);
-        double next = WIDTH / 2 + near(FARTHEST);
-        for (int other = Math.max(0, lane - 1); other <= Math.min(LANES - 1, lane + 1); other++) {
-            if (other != lane && Math.abs(front[other] - next) > STEEPEST) return;
-        }
-        if (Math.abs(next - front[lane]) < SHORTEST) return;
-        boolean eastwards = next > front[lane];
-        front[lane] = next;
-        int deepest = companies[companies.length - 1].depth;
-        for (Company company : companies) {
-            if (company.lane != lane) continue;
-            boolean attacks = company.west == eastwards;
-            int turn = attacks ? company.depth : deepest - company.depth;
-            company.order(next, time + turn * COMPANY_DELAY + (attacks ? ATTACK_DELAY : 0));
+    private void sally() {
+        Company company = companies[dice.below(companies.length)];
+        if (company.line.depth == 0) company.sally(time);
+    }
+
+    /** By the library's friction; or by a force, which is the bug that the library is for. */
+    private void brake() {
+        for (Tank tank : tanks) {
+            double f = tank.friction(friction, time), library = naive ? 0 : f;
+            if (tank.getFriction() != library) tank.setFriction(library);
+            if (naive) tank.applyForce(-f * tank.getVx(), -f * tank.getVy());
         }
     }
 
@@ -180,48 +168,8 @@ public final class Skirmish {
         fy[j] -= force * dy;
     }
 
-    /** A tank in the first company of a lane fires at one on the other side. */
-    private void fire() {
-        Tank shooter = tanks[(int) (random() * tanks.length)], target = tanks[(int) (random() * tanks.length)];
-        for (int tries = 0; tries < 50; tries++) {
-            Company a = shooter.company, b = target.company;
-            if (a.west != b.west && a.depth == 0 && b.depth == 0 && a.lane - b.lane <= 1 && b.lane - a.lane <= 1) {
-                shooter.lastShot = time;
-                burst(target.getX() + near(4), target.getY() + near(4), shooter.getX(), shooter.getY());
-                return;
-            }
-            shooter = tanks[(int) (random() * tanks.length)];
-            target = tanks[(int) (random() * tanks.length)];
-        }
-    }
-
-    /** A player's shell. */
-    public void blastAt(double x, double y) {
-        burst(x, y, x, y);
-    }
-
-    /** Throws those around it outwards. */
-    private void burst(double x, double y, double fromX, double fromY) {
-        blasts.add(new Blast(x, y, time, fromX, fromY));
-        if (blasts.size() > KEPT_BLASTS) blasts.remove();
-        blastCount++;
-        for (Tank tank : tanks) {
-            double dx = tank.getX() - x, dy = tank.getY() - y;
-            double distance = Math.sqrt(dx * dx + dy * dy);
-            if (distance >= BLAST_RADIUS || distance == 0) continue;
-            double impulse = Tank.MASS * BLAST * (1 - distance / BLAST_RADIUS) / distance;
-            tank.applyImpulse(impulse * dx, impulse * dy);
-            tank.lastHit = time;
-        }
-    }
-
-    /** From 0 to 1, from the game's own state: java.util.Random is not the same everywhere. */
-    private double random() {
-        return (Churn.scramble(seed += Churn.GOLDEN) >>> 11) * 0x1p-53;
-    }
-
-    private double near(double most) {
-        return most * (2 * random() - 1);
+    static double limit(double v, double most) {
+        return Math.max(-most, Math.min(most, v));
     }
 
     /** In the order in which their interpolated positions are copied. */
@@ -229,8 +177,17 @@ public final class Skirmish {
         return tanks;
     }
 
+    /** The last ones, oldest first. */
     public Iterable<Blast> blasts() {
-        return blasts;
+        return artillery.blasts();
+    }
+
+    public Iterable<Shell> shells() {
+        return artillery.shells();
+    }
+
+    int blastCount() {
+        return artillery.count();
     }
 
     public World world() {
@@ -241,19 +198,17 @@ public final class Skirmish {
         return time;
     }
 
-    int blastCount() {
-        return blastCount;
-    }
-
-    /** How many tanks the last step turned round. */
+    /** How many tanks the last step turned round, as had the one before: the jitters. */
     public int turned() {
         return turned;
     }
 
-    /** The world's, and what else decides how the game goes on. */
+    /** The world's, and all else that decides how the game goes on. */
     public long stateHash() {
-        long hash = Churn.scramble(world.stateHash() + seed);
-        for (Company company : companies) hash = Churn.scramble(hash + Double.doubleToRawLongBits(company.front));
+        long hash = Churn.scramble(world.stateHash() + dice.state) + Double.doubleToRawLongBits(time);
+        hash = Churn.scramble(hash + Double.doubleToRawLongBits(friction)) + (naive ? 1 : 0);
+        hash = artillery.hash(front.hash(hash));
+        for (Company company : companies) hash = company.hash(hash);
         return hash;
     }
 }

@@ -4,6 +4,7 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
+import java.awt.RadialGradientPaint;
 import java.awt.RenderingHints;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
@@ -14,17 +15,19 @@ import java.util.Locale;
 /** Draws a skirmish to fit a picture of any size: the film, the still and the window. */
 final class SkirmishPainter {
     // Told apart by the colour-blind too.
-    private static final Color WEST = new Color(0xE69F00), WEST_HULL = new Color(0x8A5F00);
-    private static final Color EAST = new Color(0x56B4E9), EAST_HULL = new Color(0x2B6C95);
-    private static final Color GROUND = new Color(0x262B24);
-    private static final Color BEYOND = new Color(0x14181B);
-    private static final Color INK = new Color(0xE8E8E8);
-    private static final Color THROWN = new Color(0xFFFFFF), THROWN_HULL = new Color(0x9A9A9A);
-    private static final Color SCORCHED = new Color(0x1A1D18), FIRE = new Color(0xFFD27F);
+    private static final Color WEST = new Color(0xE69F00), WEST_TURRET = new Color(0xFFC95C);
+    private static final Color EAST = new Color(0x56B4E9), EAST_TURRET = new Color(0xA6DCFA);
+    private static final Color THROWN = new Color(0xFFFFFF), THROWN_TURRET = new Color(0xC8C8C8);
+    private static final Color GROUND = new Color(0x23281F), FURROW = new Color(0x2A3026);
+    private static final Color TRACKS = new Color(0x11140F), SCORCHED = new Color(0x171A14);
+    private static final Color FIRE = new Color(0xFFD27F), SMOKE = new Color(0x5A5A52);
+    private static final Color BEYOND = new Color(0x14181B), INK = new Color(0xE8E8E8);
 
-    // A tank, in m
-    private static final double LENGTH = 3.4, BREADTH = 2.6, TURRET = 1.5, GUN = 2.6, BARREL = 0.5;
-    private static final double SHOWN = 0.6, FLAME = 0.35, SMOKE = 3, TRACE = 0.12; // s
+    // A tank's, in m
+    private static final double TURRET = 1.8, GUN = 2.8, BARREL = 0.55;
+    private static final double THROWN_AT = 3; // m/s
+    private static final double FLAME = 0.45, SMOKES = 1.6, COLD = 8, FLASH = 0.1; // s
+    private static final double SQUARE = 25; // m
     private static final int CAPTION = 26; // pixels
 
     private final Rectangle2D.Double box = new Rectangle2D.Double();
@@ -34,63 +37,107 @@ final class SkirmishPainter {
 
     void paint(Graphics2D g, int width, int height, Skirmish game) {
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        double scale = Math.min(width / Skirmish.WIDTH, (height - CAPTION) / Skirmish.HEIGHT);
         g.setColor(BEYOND);
         g.fillRect(0, 0, width, height);
-        AffineTransform pixels = g.getTransform();
-        g.translate((width - scale * Skirmish.WIDTH) / 2, CAPTION + (height - CAPTION - scale * Skirmish.HEIGHT) / 2);
-        g.scale(scale, scale);
-        fill(g, 0, 0, Skirmish.WIDTH, Skirmish.HEIGHT, GROUND);
-        for (Skirmish.Blast blast : game.blasts()) paintCrater(g, blast, game.time());
+        AffineTransform pixels = g.getTransform(), map = map(width, height);
+        g.transform(map);
+        paintGround(g);
+        double time = game.time();
+        for (Skirmish.Blast blast : game.blasts()) {
+            double left = 1 - (time - blast.time()) / COLD;
+            if (left > 0) disc(g, blast.x(), blast.y(), 3.5 * Math.min(1, 2 * left), SCORCHED);
+        }
         paintTanks(g, game);
-        for (Skirmish.Blast blast : game.blasts()) paintFire(g, blast, game.time());
+        for (Skirmish.Blast blast : game.blasts()) paintBlast(g, blast, time - blast.time());
+        for (Skirmish.Shell shell : game.shells()) paintShell(g, shell, time);
         g.setTransform(pixels);
-        paintCaption(g, width, scale, String.format(Locale.ROOT, "t = %4.1f s", game.time()));
+        paintCaption(g, width, map.getScaleX(), String.format(Locale.ROOT, "t = %4.1f s", time));
+    }
+
+    /** From metres to pixels. */
+    static AffineTransform map(int width, int height) {
+        double scale = Math.min(width / Skirmish.WIDTH, (height - CAPTION) / Skirmish.HEIGHT);
+        double left = (width - scale * Skirmish.WIDTH) / 2;
+        double top = CAPTION + (height - CAPTION - scale * Skirmish.HEIGHT) / 2;
+        return new AffineTransform(scale, 0, 0, scale, left, top);
+    }
+
+    private void paintGround(Graphics2D g) {
+        fill(g, 0, 0, Skirmish.WIDTH, Skirmish.HEIGHT, GROUND);
+        for (double x = SQUARE; x < Skirmish.WIDTH; x += SQUARE) fill(g, x, 0, 0.5, Skirmish.HEIGHT, FURROW);
+        for (double y = SQUARE; y < Skirmish.HEIGHT; y += SQUARE) fill(g, 0, y, Skirmish.WIDTH, 0.5, FURROW);
     }
 
     private void paintTanks(Graphics2D g, Skirmish game) {
         Tank[] tanks = game.tanks();
         if (xy.length < 2 * tanks.length) xy = new float[2 * tanks.length];
         game.world().copyPositions(xy, 0);
-        for (int i = 0; i < tanks.length; i++) {
-            Tank tank = tanks[i];
-            double x = xy[2 * i], y = xy[2 * i + 1];
-            boolean west = tank.isWest(), thrown = game.time() - tank.lastHit() < SHOWN;
-            Color hull = thrown ? THROWN_HULL : west ? WEST_HULL : EAST_HULL;
-            Color turret = thrown ? THROWN : west ? WEST : EAST;
-            fill(g, x - LENGTH / 2, y - BREADTH / 2, LENGTH, BREADTH, hull);
-            fill(g, x - TURRET / 2, y - TURRET / 2, TURRET, TURRET, turret);
-            // The gun: a pushed unit never turns.
-            fill(g, west ? x : x - GUN, y - BARREL / 2, GUN, BARREL, turret);
-            if (game.time() - tank.lastShot() < TRACE) fill(g, west ? x + GUN : x - GUN - 1.4, y - 0.7, 1.4, 1.4, FIRE);
-        }
+        for (int i = 0; i < tanks.length; i++) paintTank(g, tanks[i], xy[2 * i], xy[2 * i + 1], game.time());
     }
 
-    /** The ground that a shell has torn up. */
-    private void paintCrater(Graphics2D g, Skirmish.Blast blast, double time) {
-        double age = (time - blast.time()) / SMOKE;
-        if (age < 1) disc(g, blast, 3.5 * (1 - age) + 1, SCORCHED);
+    /** A hull on tracks, which a pushed unit never turns, and a turret that aims. */
+    private void paintTank(Graphics2D g, Tank tank, double x, double y, double time) {
+        boolean west = tank.isWest(), thrown = tank.isSliding(time) && tank.getSpeed() > THROWN_AT;
+        double length = Tank.LENGTH, breadth = Tank.BREADTH, hull = breadth - 0.7;
+        fill(g, x - length / 2, y - breadth / 2, length, breadth, TRACKS);
+        fill(g, x - length / 2, y - hull / 2, length, hull, thrown ? THROWN : west ? WEST : EAST);
+        Color colour = thrown ? THROWN_TURRET : west ? WEST_TURRET : EAST_TURRET;
+        disc(g, x, y, TURRET / 2, colour);
+        stroke(g, x, y, x + GUN * tank.aimX(), y + GUN * tank.aimY(), BARREL, colour);
+        if (time - tank.lastShot() < FLASH) disc(g, x + GUN * tank.aimX(), y + GUN * tank.aimY(), 1.1, FIRE);
     }
 
-    private void paintFire(Graphics2D g, Skirmish.Blast blast, double time) {
-        double seconds = time - blast.time(), age = seconds / FLAME;
-        if (age >= 1) return;
-        if (seconds < TRACE && blast.fromX() != blast.x()) {
-            g.setColor(FIRE);
-            g.setStroke(new BasicStroke(0.35f));
-            line.setLine(blast.fromX(), blast.fromY(), blast.x(), blast.y());
-            g.draw(line);
-        }
-        if (age < 0.5) disc(g, blast, 4 * (1 - age), FIRE);
-        double r = Skirmish.BLAST_RADIUS * (0.3 + 0.7 * age);
-        g.setColor(new Color(255, 255, 255, (int) (200 * (1 - age))));
-        g.setStroke(new BasicStroke(1.2f));
-        circle.setFrame(blast.x() - r, blast.y() - r, 2 * r, 2 * r);
+    private void paintBlast(Graphics2D g, Skirmish.Blast blast, double age) {
+        double x = blast.x(), y = blast.y();
+        double smoke = age / SMOKES, flame = age / FLAME;
+        if (smoke < 1) glow(g, x, y, 5 + 5 * smoke, SMOKE, 1 - smoke);
+        if (flame >= 1) return;
+        glow(g, x, y, 9 * (1 - flame), FIRE, 1);
+        disc(g, x, y, 3 * (1 - flame), Color.WHITE);
+        double r = Artillery.BLAST_RADIUS * (0.25 + 0.75 * flame);
+        circle.setFrame(x - r, y - r, 2 * r, 2 * r);
+        g.setColor(faded(Color.WHITE, 0.7 * (1 - flame)));
+        g.setStroke(new BasicStroke(1));
         g.draw(circle);
     }
 
-    private void disc(Graphics2D g, Skirmish.Blast blast, double r, Color colour) {
-        circle.setFrame(blast.x() - r, blast.y() - r, 2 * r, 2 * r);
+    /** Its last few metres. */
+    private void paintShell(Graphics2D g, Skirmish.Shell shell, double time) {
+        double flown = (time - shell.fired()) / (shell.bursts() - shell.fired());
+        double dx = shell.x() - shell.fromX(), dy = shell.y() - shell.fromY();
+        double tail = Math.max(0, flown - (shell.heavy() ? 0.12 : 0.06));
+        stroke(
+                g,
+                shell.fromX() + tail * dx,
+                shell.fromY() + tail * dy,
+                shell.fromX() + flown * dx,
+                shell.fromY() + flown * dy,
+                shell.heavy() ? 0.7 : 0.4,
+                FIRE);
+    }
+
+    /** A disc that fades towards its edge. */
+    private void glow(Graphics2D g, double x, double y, double r, Color colour, double opacity) {
+        circle.setFrame(x - r, y - r, 2 * r, 2 * r);
+        float[] parts = {0, 0.4f, 1};
+        Color[] colours = {faded(colour, opacity), faded(colour, 0.8 * opacity), faded(colour, 0)};
+        g.setPaint(new RadialGradientPaint((float) x, (float) y, (float) r, parts, colours));
+        g.fill(circle);
+    }
+
+    private static Color faded(Color colour, double opacity) {
+        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), (int) (255 * opacity));
+    }
+
+    private void stroke(Graphics2D g, double x1, double y1, double x2, double y2, double width, Color colour) {
+        line.setLine(x1, y1, x2, y2);
+        g.setColor(colour);
+        g.setStroke(new BasicStroke((float) width, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER));
+        g.draw(line);
+    }
+
+    private void disc(Graphics2D g, double x, double y, double r, Color colour) {
+        circle.setFrame(x - r, y - r, 2 * r, 2 * r);
         g.setColor(colour);
         g.fill(circle);
     }
@@ -102,7 +149,7 @@ final class SkirmishPainter {
         int x = 8;
         x = key(g, x, baseline, "west", WEST);
         x = key(g, x, baseline, "east", EAST);
-        x = key(g, x, baseline, "just blasted", THROWN);
+        x = key(g, x, baseline, "thrown by a blast", THROWN);
         g.drawString(caption, x, baseline);
         int bar = (int) (50 * scale);
         int right = width - 8;

@@ -5,8 +5,12 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.awt.geom.NoninvertibleTransformException;
+import java.awt.geom.Point2D;
 import java.util.Locale;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Supplier;
@@ -119,11 +123,21 @@ final class SkirmishWindow {
         double z = Tank.FRICTION / ticksPerSecond();
         status.setText(String.format(
                 Locale.ROOT,
-                "z = f dt/m = %.2f: the last step turned round %,d of %,d tanks, by %sshoves and blasts",
+                "z = f dt/m = %.2f: %,d of %,d tanks jitter%s. Click: a shell bursts there.",
                 z,
                 game.turned(),
                 game.tanks().length,
-                naive.isSelected() ? "friction, " : ""));
+                naive.isSelected() && z > 1 ? ", as z > 1" : ""));
+    }
+
+    private void blastAt(Point2D pixel) {
+        try {
+            Point2D metres =
+                    SkirmishPainter.map(field.getWidth(), field.getHeight()).inverseTransform(pixel, null);
+            game.blastAt(metres.getX(), metres.getY());
+        } catch (NoninvertibleTransformException e) {
+            // a field without an area: there is nothing to hit
+        }
     }
 
     private int ticksPerSecond() {
@@ -137,6 +151,12 @@ final class SkirmishWindow {
         Field() {
             setPreferredSize(new Dimension(960, 746));
             setOpaque(true);
+            addMouseListener(new MouseAdapter() {
+                @Override
+                public void mousePressed(MouseEvent e) {
+                    blastAt(e.getPoint());
+                }
+            });
         }
 
         @Override
