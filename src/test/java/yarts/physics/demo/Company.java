@@ -60,7 +60,7 @@ final class Company {
     /** Where a place is, from west to east. */
     double x(double back, double y) {
         double depth = Skirmish.NO_MANS_LAND / 2 + line.depth * DEPTH + behind + back;
-        return Skirmish.WIDTH / 2 + line.at(y) + (line.west ? -depth : depth);
+        return line.at(y) + Skirmish.WIDTH / 2 + (line.west ? -depth : depth); // a sum first, as in Kernel
     }
 
     long hash(long hash) {
