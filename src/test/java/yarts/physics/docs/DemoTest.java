@@ -71,9 +71,9 @@ class DemoTest {
         try (var in =
                 ImageIO.createImageInputStream(folder.resolve("skirmish.gif").toFile())) {
             gif.setInput(in);
-            assertEquals(6, gif.getNumImages(true));
+            assertEquals(5, gif.getNumImages(true));
             assertDrawn(gif.read(0), 480, 386);
-            assertNotEquals(Arrays.hashCode(pixels(gif.read(0))), Arrays.hashCode(pixels(gif.read(5))));
+            assertNotEquals(Arrays.hashCode(pixels(gif.read(0))), Arrays.hashCode(pixels(gif.read(4))));
         } finally {
             gif.dispose();
         }
