@@ -75,10 +75,10 @@ public final class Page {
             case ".":
                 stepOnce();
                 break;
-            case "r":
+            case "r", "R":
                 restart();
                 break;
-            case "i":
+            case "i", "I":
                 integrator.setSelectedIndex((integrator.getSelectedIndex() + 1) % Integrator.values().length);
                 set();
                 break;

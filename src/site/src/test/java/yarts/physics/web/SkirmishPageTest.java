@@ -123,7 +123,7 @@ class SkirmishPageTest {
             load();
             new Select(chromium.findElement(By.id("integrator"))).selectByVisibleText(integrator.name());
             chromium.findElement(By.id("restart")).click();
-            until(() -> number("library-tick") >= 600);
+            until(() -> number("library-tick") >= 420);
             String[] shown = text("library-tick", "naive-hash", "library-hash").split(" ");
             int tick = Integer.parseInt(shown[0]);
             assertEquals(hash(tick, true, integrator, 40, 30, game -> {}), shown[1]);
@@ -197,7 +197,7 @@ class SkirmishPageTest {
         press(Keys.ARROW_LEFT, Keys.ARROW_RIGHT, Keys.ARROW_LEFT);
         assertEquals("25 /s", text("rate-value"));
         assertEquals("1.80", text("z"));
-        press("i");
+        press("I");
         assertEquals("MIDPOINT", chromium.executeScript("return document.getElementById('integrator').value"));
         for (int i = 0; i < 3; i++) press(".");
         assertEquals(hash(3, true, Integrator.MIDPOINT, 45, 25, game -> {}), text("naive-hash"));
