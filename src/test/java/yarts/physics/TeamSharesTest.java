@@ -1,0 +1,120 @@
+package yarts.physics;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicIntegerArray;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A team does everything once, and comes back, however its pool is used, and however often. */
+@Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class TeamSharesTest {
+    private static final int THINGS = 64;
+
+    private final ForkJoinPool pool = new ForkJoinPool(4);
+    private final Team team = new Team(pool, 8);
+
+    @AfterEach
+    void shutDown() {
+        pool.shutdownNow();
+    }
+
+    private static void shareOnce(Team team) {
+        AtomicIntegerArray times = new AtomicIntegerArray(THINGS);
+        team.share(
+                (start, end) -> {
+                    for (int i = start; i < end; i++) times.incrementAndGet(i);
+                },
+                THINGS);
+        int[] once = new int[THINGS], done = new int[THINGS];
+        Arrays.fill(once, 1);
+        for (int i = 0; i < THINGS; i++) done[i] = times.get(i);
+        assertArrayEquals(once, done);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 4, 7})
+    void everythingIsDoneOnceTimeAfterTime(int threads) {
+        ForkJoinPool own = new ForkJoinPool(threads);
+        try {
+            Team of = new Team(own, 8);
+            for (int i = 0; i < 20_000; i++) shareOnce(of);
+        } finally {
+            own.shutdown();
+        }
+    }
+
+    /** The pool is busy; what it was offered time after time still waits in it when its threads come to it at last. */
+    @Test
+    void whatWaitsInThePoolFromBeforeDoesNoHarm() throws Exception {
+        CountDownLatch busy = new CountDownLatch(1);
+        for (int i = 0; i < 4; i++) pool.execute(() -> awaitQuietly(busy));
+        for (int i = 0; i < 100; i++) shareOnce(team);
+        assertTrue(pool.hasQueuedSubmissions(), "nobody has come to the offers");
+        AtomicLong sum = new AtomicLong();
+        team.share(
+                (start, end) -> {
+                    if (start == 0) busy.countDown(); // now they come, in the middle of this one
+                    sum.addAndGet(end - start);
+                },
+                THINGS);
+        assertEquals(THINGS, sum.get());
+        for (int i = 0; i < 1000; i++) shareOnce(team);
+        assertTrue(pool.awaitQuiescence(1, TimeUnit.MINUTES));
+    }
+
+    private static void awaitQuietly(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Test
+    void whatASliceThrowsComesOutOnceAllOthersAreDone() {
+        for (int i = 0; i < 200; i++) {
+            int bad = i % 4 * 16;
+            AtomicLong others = new AtomicLong();
+            Error error = new AssertionError("thrown by a slice");
+            assertSame(
+                    error,
+                    assertThrows(
+                            AssertionError.class,
+                            () -> team.share(
+                                    (start, end) -> {
+                                        if (start == bad) throw error;
+                                        others.addAndGet(end - start);
+                                    },
+                                    THINGS)));
+            assertEquals(THINGS - 16, others.get());
+            shareOnce(team);
+        }
+    }
+
+    /** An interrupt is left for the caller to see. */
+    @Test
+    void anInterruptStopsNothing() {
+        Thread.currentThread().interrupt();
+        for (int i = 0; i < 1000; i++) shareOnce(team);
+        assertTrue(Thread.interrupted());
+    }
+
+    @Test
+    void aPoolThatIsGoneLeavesEverythingToTheCaller() {
+        pool.shutdownNow();
+        for (int i = 0; i < 1000; i++) shareOnce(team);
+    }
+}
