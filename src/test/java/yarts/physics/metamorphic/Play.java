@@ -1,0 +1,131 @@
+package yarts.physics.metamorphic;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.ForkJoinPool;
+import yarts.physics.Integrator;
+import yarts.physics.Timestep;
+import yarts.physics.Unit;
+import yarts.physics.World;
+
+/** A game drawn from a seed, played as a {@link View} has it, by units laid out over worlds in one way or another. */
+final class Play {
+    /** How units are laid out: the order in which they are added, over how many worlds, and who threads and fillers are. */
+    record Layout(int[] order, int worlds, int sleepers, ForkJoinPool pool) {
+        static Layout plain(int units) {
+            int[] order = new int[units];
+            Arrays.setAll(order, i -> i);
+            return new Layout(order, 1, 0, null);
+        }
+    }
+
+    private static final double[] STEPS = {1 / 60.0, 1 / 32.0, 0.01, 0.1, 1.5};
+
+    private final Random random;
+    private final View view;
+    private final List<World> worlds = new ArrayList<>();
+    private final Unit[] units;
+
+    Play(long seed, Integrator integrator, boolean fixed, View view, Layout layout) {
+        random = new Random(seed);
+        this.view = view;
+        Timestep timestep = fixed ? Timestep.fixed(64) : Timestep.variable(0.05 * view.time());
+        for (int i = 0; i < layout.worlds; i++) {
+            World world = new World(integrator, timestep.withMaxSteps(4));
+            world.setPool(layout.pool);
+            world.setStepListener((w, dt) -> steer(w));
+            worlds.add(world);
+        }
+        units = new Unit[layout.order.length];
+        for (int i = 0; i < units.length; i++) units[i] = unit();
+        for (int i : layout.order) {
+            World world = worlds.get(i % layout.worlds);
+            world.add(units[i]);
+            for (int k = 0; k < layout.sleepers; k++) world.add(new Sleeper());
+        }
+    }
+
+    /** Nobody gives it an order. */
+    private static final class Sleeper extends Unit {
+        Sleeper() {
+            super(3);
+            setFriction(2).setMaxSpeed(1).setPosition(5, 6);
+        }
+    }
+
+    private Unit unit() {
+        double mass = number(0.1, 100), stiffness = random.nextInt(4) == 0 ? 0 : number(1e-3, 1e3);
+        Unit unit = new Unit(mass * view.mass()).setFriction(stiffness * mass * view.friction());
+        if (random.nextInt(3) > 0) unit.setMaxSpeed(number(0.1, 100) * view.speed());
+        place(unit, number(1, 100), number(1, 100));
+        if (random.nextInt(3) == 0) drive(unit, number(0.1, 100), number(0.1, 100));
+        return unit;
+    }
+
+    private void place(Unit unit, double x, double y) {
+        unit.setPosition(view.x(x, y, view.length()), view.y(x, y, view.length()));
+    }
+
+    private void drive(Unit unit, double vx, double vy) {
+        unit.setVelocity(view.x(vx, vy, view.speed()), view.y(vx, vy, view.speed()));
+    }
+
+    /** Some are drawn back to where x and y begin, as by springs. */
+    private void steer(World world) {
+        double spring = -8 * view.mass() / view.time() / view.time();
+        for (Unit unit : world) {
+            if (unit.getMass() > 50 * view.mass()) unit.applyForce(unit.getX() * spring, unit.getY() * spring);
+        }
+    }
+
+    /** A frame: orders to some units, and time that passes. */
+    void frame() {
+        int orders = random.nextInt(3) == 0 ? 0 : 1 + random.nextInt(1 + units.length / 8);
+        for (; orders > 0; orders--) order(units[random.nextInt(units.length)]);
+        double seconds = STEPS[random.nextInt(STEPS.length)] * view.time();
+        boolean frame = random.nextBoolean();
+        for (World world : worlds) {
+            if (frame) world.advance(seconds);
+            else world.step(seconds);
+        }
+    }
+
+    private void order(Unit unit) {
+        double a = number(0.01, 1000), b = number(0.01, 1000);
+        if (random.nextBoolean()) a = -a;
+        if (random.nextBoolean()) b = -b;
+        switch (random.nextInt(12)) {
+            case 0 -> place(unit, a, b);
+            case 1 -> drive(unit, a, b);
+            case 2 -> unit.applyImpulse(view.x(a, b, view.impulse()), view.y(a, b, view.impulse()));
+            case 3 -> unit.setMass(Math.abs(a) * view.mass());
+            case 4 -> unit.setFriction(Math.abs(a) * view.friction());
+            case 5 -> unit.setMaxSpeed(Math.abs(a) * view.speed());
+            case 6 -> unit.setFrozen(a > 0);
+            case 7 -> unit.clearForces();
+            case 8 -> { // leaves its world and comes back, as the last
+                World world = unit.getWorld();
+                world.remove(unit);
+                world.add(unit);
+            }
+            default -> unit.applyForce(view.x(a, b, view.force()), view.y(a, b, view.force()));
+        }
+    }
+
+    /** Uniform in the logarithm, nearly. */
+    private double number(double min, double max) {
+        return min * Math.pow(max / min, random.nextDouble());
+    }
+
+    /** Asserts that every unit of another play is what that play's view makes of this one's. */
+    void assertSeen(Play other, String when) {
+        for (int i = 0; i < units.length; i++) {
+            int unit = i;
+            assertArrayEquals(view.see(units[i]), other.view.see(other.units[i]), () -> "unit " + unit + ", " + when);
+        }
+    }
+}
