@@ -1,0 +1,137 @@
+package yarts.physics;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import ch.obermuhlner.math.big.BigDecimalMath;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/**
+ * The four coefficients of a step, against the formulas of {@link Integrator} in 60 digits, as functions of z: where mass and
+ * dt are 1, and so z is the friction, without a rounding error of its own. The worst found in a million points is printed
+ * by the long test; none may be worse than what docs/quality.md says.
+ */
+class CoefficientsAccuracyTest {
+    private static final String[] NAMES = {"decay", "gain", "before", "after"};
+
+    /** 60 digits, and as many as the difference 1 − e^−z may lose. */
+    private static final MathContext DIGITS = new MathContext(76);
+
+    private static final BigDecimal ONE = BigDecimal.ONE, HALF = new BigDecimal(0.5);
+
+    /** The most that is allowed, in ulp; by the integrator, in the order of NAMES. */
+    private static double[] most(Integrator integrator) {
+        return switch (integrator) {
+            case EULER -> new double[] {0.5, 0.5, 0, 0};
+            case MIDPOINT -> new double[] {2, 1.5, 0, 0};
+            case EXACT -> new double[] {1.5, 2, 4, 2};
+        };
+    }
+
+    @ParameterizedTest
+    @EnumSource(Integrator.class)
+    void areWithinAFewUlp(Integrator integrator) {
+        assertWithin(integrator, worst(integrator, 3000, 1));
+    }
+
+    @ParameterizedTest
+    @EnumSource(Integrator.class)
+    @Tag("long")
+    void areWithinAFewUlpAtAMillionPoints(Integrator integrator) {
+        double[] worst = worst(integrator, 1_000_000, 2);
+        System.out.println("worst of " + integrator + " in ulp: " + Arrays.toString(worst));
+        assertWithin(integrator, worst);
+    }
+
+    private static void assertWithin(Integrator integrator, double[] worst) {
+        double[] most = most(integrator);
+        for (int k = 0; k < 4; k++)
+            assertTrue(worst[k] <= most[k], integrator + " " + NAMES[k] + ": " + worst[k] + " ulp");
+    }
+
+    /** The worst errors, at so many random points and at the borders of the branches and one ulp beside them. */
+    private static double[] worst(Integrator integrator, int points, long seed) {
+        double[] borders = borders();
+        return IntStream.range(0, points + borders.length)
+                .parallel()
+                .mapToObj(i -> errors(integrator, i < points ? random(seed, i) : borders[i - points]))
+                .reduce(new double[4], CoefficientsAccuracyTest::max);
+    }
+
+    /** Nearly uniform in the logarithm, from 1e-12 to 1e4; and one of three where the branches are. */
+    private static double random(long seed, int i) {
+        SplittableRandom random = new SplittableRandom(seed * 1_000_000_007L + i);
+        double from = i % 3 == 0 ? 0.1 : 1e-12, to = i % 3 == 0 ? 3 : 1e4;
+        return from * StrictMath.exp(random.nextDouble() * StrictMath.log(to / from));
+    }
+
+    /** Where one formula takes over from another: 1/2, 1, 2, 700, and where 2^-n changes. */
+    private static double[] borders() {
+        return IntStream.range(0, 1014)
+                .mapToDouble(n -> n == 0 ? 0.5 : n == 1 ? 1 : n == 2 ? 2 : n == 3 ? 700 : (n - 3.5) * Math.log(2))
+                .flatMap(z -> Arrays.stream(new double[] {Math.nextDown(z), z, Math.nextUp(z)}))
+                .toArray();
+    }
+
+    private static double[] errors(Integrator integrator, double z) {
+        Columns c = new Columns(0, Columns.LANES);
+        c.end = 1;
+        c.friction[0] = z;
+        c.maxSpeed[0] = Double.POSITIVE_INFINITY;
+        Coefficients coefficients = new Coefficients();
+        coefficients.set(1, 1, integrator);
+        coefficients.renew(c);
+        double[] all = {c.decay[0], c.gain[0], c.before[0], c.after[0]};
+        BigDecimal[] exact = exact(integrator, z);
+        double[] errors = new double[4];
+        for (int k = 0; k < 4; k++) {
+            double error = exact[k].subtract(new BigDecimal(all[k])).abs().doubleValue();
+            double value = exact[k].doubleValue();
+            boolean gone = k == 0 && value < 1e-304; // of the fastest velocity, this decay leaves rest
+            errors[k] = gone && all[k] <= 1e-304 ? 0 : error / Math.ulp(value);
+        }
+        // The step of a lone unit works the same out elsewhere.
+        Columns lone = new Columns(0, Columns.LANES);
+        lone.end = 1;
+        lone.friction[0] = z;
+        lone.maxSpeed[0] = Double.POSITIVE_INFINITY;
+        Coefficients.renew(lone, 0, 1, integrator);
+        double[] again = {lone.decay[0], lone.gain[0], lone.before[0], lone.after[0]};
+        assertTrue(Arrays.equals(all, again), "alone and in a block, z = " + z);
+        return errors;
+    }
+
+    private static BigDecimal[] exact(Integrator integrator, double friction) {
+        BigDecimal z = new BigDecimal(friction);
+        switch (integrator) {
+            case EULER:
+                return new BigDecimal[] {
+                    BigDecimal.ZERO.max(ONE.subtract(z)), ONE.divide(ONE.max(z), DIGITS), ONE, BigDecimal.ZERO
+                };
+            case MIDPOINT:
+                BigDecimal half = z.multiply(HALF), more = ONE.add(half);
+                return new BigDecimal[] {
+                    BigDecimal.ZERO.max(ONE.subtract(half).divide(more, DIGITS)),
+                    ONE.divide(more.max(z), DIGITS),
+                    HALF,
+                    HALF
+                };
+            default:
+                BigDecimal decay = BigDecimalMath.exp(z.negate(), DIGITS), lost = ONE.subtract(decay);
+                BigDecimal after = ONE.divide(lost, DIGITS).subtract(ONE.divide(z, DIGITS));
+                return new BigDecimal[] {decay, lost.divide(z, DIGITS), ONE.subtract(after), after};
+        }
+    }
+
+    private static double[] max(double[] a, double[] b) {
+        double[] max = new double[4];
+        Arrays.setAll(max, k -> Math.max(a[k], b[k]));
+        return max;
+    }
+}
