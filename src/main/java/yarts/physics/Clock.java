@@ -193,7 +193,7 @@ final class Clock {
     long hash(long h) {
         h = mix(mix(mix(h, timestep.rate), Double.doubleToRawLongBits(timestep.maxStep)), timestep.maxSteps);
         h = mix(mix(mix(mix(h, tick), regular), remainder), droppedSteps);
-        return dropped.hash(irregular.hash(mix(h, Double.doubleToRawLongBits(remainderError + 0.0))));
+        return dropped.hash(irregular.hash(mix(h, Double.doubleToRawLongBits(remainderError))));
     }
 
     /** One step of a hash. For every h it is one-to-one in v, and for every v in h. */
@@ -222,7 +222,7 @@ final class Clock {
         }
 
         long hash(long h) {
-            return mix(mix(h, Double.doubleToRawLongBits(sum)), Double.doubleToRawLongBits(error + 0.0));
+            return mix(mix(h, Double.doubleToRawLongBits(sum)), Double.doubleToRawLongBits(error));
         }
     }
 }

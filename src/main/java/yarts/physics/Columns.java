@@ -152,8 +152,7 @@ final class Columns {
         gain = all[i++];
         cap = all[i++];
         frameX = all[i++];
-        frameY = all[i++];
-        own();
+        frameY = all[i];
     }
 
     /** Has shares of its own. */
@@ -244,7 +243,6 @@ final class Columns {
         for (double[] column : all) Arrays.fill(column, from, end, 0);
         Arrays.fill(mass, from, end, 1);
         Arrays.fill(cap, from, end, 1);
-        Arrays.fill(id, from, end, 0);
         end = from;
     }
 
@@ -253,8 +251,7 @@ final class Columns {
         int rows = other.end - start;
         for (int k = 0; k < FOLLOWING; k++) System.arraycopy(other.all[k], start, all[k], start, rows);
         System.arraycopy(other.id, start, id, start, rows);
-        if (end > other.end) clear(other.end);
-        end = other.end;
+        clear(other.end);
         pushed = other.pushed;
         pending = other.pending;
         framed = NONE;

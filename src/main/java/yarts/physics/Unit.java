@@ -322,7 +322,6 @@ public class Unit extends Row {
         Coefficients.renew(columns, row, Check.time("dt", dt), integrator);
         Kernel.step(columns, row);
         columns.settle(row);
-        columns.wake(row);
     }
 
     /**

@@ -69,6 +69,17 @@ class ExponentialPropertyTest {
         assertTrue(Exponential.decay(z * (1 + 1e-13)) <= decay * (1 + 4 * Math.ulp(1.0)));
     }
 
+    /** The bits that every machine gets, at the ends of the series, where a term more or less would show. */
+    @Example
+    void theBitsAreThese() {
+        assertEquals(0x1.92e9a0720d3ecp-1, Exponential.gain(0.5));
+        assertEquals(0x1.4c2531c3c0d38p0, Exponential.gain(-0.5));
+        assertEquals(0x1.ac0e4c53d9905p-2, Exponential.lag(Math.nextDown(1.0)));
+        assertEquals(0x1.ac0e4c53d9904p-2, Exponential.lag(1, Exponential.decay(1)));
+        assertEquals(0x1.368b2fc6f960ap-1, Exponential.decay(0.5));
+        assertEquals(0x1.1b48655f37267p-29, Exponential.decay(20));
+    }
+
     @Example
     void theEndsAreExact() {
         assertEquals(1, Exponential.decay(0));

@@ -266,6 +266,19 @@ class DoorsTest {
         }
     }
 
+    /** Even where there is nothing to copy. */
+    @Test
+    void aPlaceBeyondTheArrayIsRefusedByAnEmptyWorld() {
+        World world = new World();
+        for (int offset : new int[] {-1, 5, Integer.MAX_VALUE}) {
+            assertThrows(IndexOutOfBoundsException.class, () -> world.applyForces(new double[4], offset));
+            assertThrows(IndexOutOfBoundsException.class, () -> world.copyVelocities(new double[4], offset));
+            assertThrows(IndexOutOfBoundsException.class, () -> world.copyPositions(new double[4], offset, 1));
+            assertThrows(IndexOutOfBoundsException.class, () -> world.copyPositions(new float[4], offset));
+        }
+        world.applyForces(new double[4], 4);
+    }
+
     @Test
     void serialisationIsRefusedAndSaysWhatToSaveInstead() throws IOException {
         Unit unit = new World().add(new Sent());

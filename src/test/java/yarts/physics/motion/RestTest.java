@@ -108,6 +108,22 @@ class RestTest {
     }
 
     /** Neither subnormal nor −0.0. */
+    /** It is the slowest speed; below it, a top speed pins. */
+    @Test
+    void aUnitWithATopSpeedOfRestMovesAsFast() {
+        for (boolean alone : new boolean[] {true, false}) {
+            Unit unit = new Unit(1).setMaxSpeed(Range.REST).setVelocity(Range.REST, 0);
+            World world = new World(Integrator.EULER, Timestep.variable(1));
+            if (!alone) world.add(unit);
+            for (int i = 0; i < 3; i++) {
+                if (alone) unit.integrate(1);
+                else world.step(1);
+            }
+            assertEquals(Range.REST, unit.getVx());
+            assertEquals(3 * Range.REST, unit.getX());
+        }
+    }
+
     private static void assertNormalOrZero(double v) {
         if (Math.abs(v) < Double.MIN_NORMAL) assertEquals(0L, Double.doubleToRawLongBits(v), () -> "v " + v);
     }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
@@ -13,6 +14,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import yarts.physics.Snapshot;
 import yarts.physics.Timestep;
+import yarts.physics.Unit;
 
 /** Every value is checked as the setters would, and more: bytes hold a state that a world can be in, or are refused. */
 class RefusedBytesTest {
@@ -112,6 +114,16 @@ class RefusedBytesTest {
         Saves.assertSound(Snapshot.fromBytes(Saves.repair(save)));
     }
 
+    /** The slowest top speed that is not a pin is a speed, too. */
+    @Test
+    void aUnitWithATopSpeedOfRestMayMove() {
+        byte[] save = Saves.save(3);
+        Saves.places(1).get("maxSpeed").put(save, 0x1p-500);
+        Saves.places(1).get("vx").put(save, 0x1p-500);
+        Saves.places(1).get("vy").put(save, 0);
+        Saves.assertSound(Snapshot.fromBytes(Saves.repair(save)));
+    }
+
     /** It would come to rest beside others that move, and not alone. */
     @Test
     void aFrozenUnitOnItsWayToRestIsRefused() {
@@ -147,6 +159,33 @@ class RefusedBytesTest {
     }
 
     @Test
+    void aMessageTellsTheNumbers() {
+        int least = Saves.HEADER + Saves.CRC;
+        for (int length = 0; length < least; length++) {
+            assertEquals(
+                    "bytes.length must be at least " + least + ", was " + length,
+                    Saves.refused(Arrays.copyOf(Saves.save(3), length)));
+        }
+        byte[] save = Saves.save(3);
+        Saves.order(save).putInt(12, 2);
+        assertEquals("count must be 3.0 by the number of bytes, was 2", Saves.refused(Saves.repair(save)));
+    }
+
+    /** So that a sign that nothing else shows does not come to light, say in a unit's log. */
+    @Test
+    void minusZeroIsReadAsZero() {
+        for (String name : Saves.STATE) {
+            if (name.equals("mass")) continue;
+            byte[] save = Saves.save(3);
+            if (name.equals("maxSpeed"))
+                for (String v : List.of("vx", "vy")) Saves.places(1).get(v).put(save, 0);
+            Saves.places(1).get(name).put(save, -0.0);
+            Unit unit = Saves.restored(Snapshot.fromBytes(Saves.repair(save))).get(1);
+            assertEquals(0.0, Saves.state(unit, name), name);
+        }
+    }
+
+    @Test
     void valuesAtTheLimitsAreAccepted() {
         double tiny = Double.MIN_VALUE;
         for (Object[] row : new Object[][] {
@@ -155,6 +194,9 @@ class RefusedBytesTest {
             {"droppedTicks", 0L, (1L << 61) - 1},
             {"remainder", 0L, 999_999_999L},
             {"remainderError", 1, -1, tiny, -0.0, 0.5},
+            {"time", 0, -0.0, 1e100},
+            {"droppedTime", 1e100},
+            {"timeError", 1e100, -1e100},
             {"lastId", 3L, (1L << 61) - 100},
             {"x", Double.MAX_VALUE, -Double.MAX_VALUE, Double.MIN_VALUE, -0.0},
             {"vx", -0.0, Double.MIN_NORMAL, 0x1p-501, 999},

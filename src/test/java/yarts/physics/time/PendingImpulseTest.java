@@ -1,10 +1,14 @@
 package yarts.physics.time;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.List;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import yarts.physics.Blocks;
 import yarts.physics.Integrator;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
@@ -155,6 +159,50 @@ class PendingImpulseTest {
         assertEquals(0, unit.getPendingImpulseX());
         world.advance(0.1);
         assertEquals(0, unit.getVx());
+    }
+
+    @Test
+    void whatIsDroppedIsZeroAndNotMinusZero() {
+        unit.applyForce(-100, -100);
+        world.advance(0.05);
+        assertEquals(-5, unit.getPendingImpulseX(), 1e-15);
+        world.setTimestep(Timestep.variable(0.1));
+        assertEquals(0.0, unit.getPendingImpulseX());
+        assertEquals(0.0, unit.getPendingImpulseY());
+    }
+
+    /** Whichever component it is, and though nothing else of its new block has any. */
+    @ParameterizedTest
+    @CsvSource({"100, 0", "0, 100"})
+    void theLastUnitTakesItsOwnIntoAnotherBlock(double fx, double fy) {
+        while (world.size() <= Blocks.BLOCK) world.add(new Unit(1));
+        Unit last = world.get(Blocks.BLOCK);
+        last.applyForce(fx, fy);
+        world.advance(0.05);
+        long hash = world.stateHash();
+        world.remove(unit);
+        assertNotEquals(hash, world.stateHash());
+        assertEquals(fx / 20, last.getPendingImpulseX(), 1e-14);
+        assertEquals(fy / 20, last.getPendingImpulseY(), 1e-14);
+        world.advance(0.05);
+        assertEquals(fx / 20, last.getVx(), 1e-14);
+        assertEquals(fy / 20, last.getVy(), 1e-14);
+    }
+
+    /** So does what a frame gives to each of its steps, and what is to act in the next one. */
+    @ParameterizedTest
+    @CsvSource({"100, 0", "0, 100"})
+    void theLastUnitTakesAFramesForceIntoAnotherBlock(double fx, double fy) {
+        while (world.size() <= Blocks.BLOCK) world.add(new Unit(1));
+        Unit last = world.get(Blocks.BLOCK);
+        last.applyForce(fx, fy);
+        world.setStepListener((w, dt) -> {
+            if (w.getTick() == 1) w.remove(unit);
+        });
+        world.setTimestep(Timestep.fixed(10).withMaxSteps(3));
+        assertEquals(3, world.advance(0.3));
+        assertEquals(0.3 * fx, last.getVx(), 1e-12);
+        assertEquals(0.3 * fy, last.getVy(), 1e-12);
     }
 
     @Test

@@ -78,6 +78,26 @@ public class WorldTimeTest {
         assertEquals(unit.getX(), unit.getInterpolatedX());
     }
 
+    /** What a fault keeps from running is dropped, and counted. */
+    @Test
+    void theVariableStepsThatDidNotRunAreDropped() {
+        World world = new World(Integrator.EULER, Timestep.variable(0.25).withMaxSteps(4));
+        world.setStepListener((w, dt) -> {
+            if (w.getTick() == 1) throw new IllegalStateException("the second step");
+        });
+        assertThrows(IllegalStateException.class, () -> world.advance(1));
+        assertEquals(0.25, world.getTime());
+        assertEquals(0.75, world.getDroppedTime());
+    }
+
+    @Test
+    void aVariableFrameIsCutIntoAsFewStepsAsWillDo() {
+        World world = new World(Integrator.EULER, Timestep.variable(0.25).withMaxSteps(100));
+        double[] elapsed = {0.1, 0.25, 0.26, 0.5, 0.75, 0.8, 1, 20};
+        int[] steps = {1, 1, 2, 2, 3, 4, 4, 80};
+        for (int i = 0; i < steps.length; i++) assertEquals(steps[i], world.advance(elapsed[i]));
+    }
+
     @Test
     void withNoTimeAForceIsUsedUp() {
         unit.applyForce(1000, 1000);

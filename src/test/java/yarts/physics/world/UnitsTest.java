@@ -9,10 +9,14 @@ import java.io.ByteArrayOutputStream;
 import java.io.NotSerializableException;
 import java.io.ObjectOutputStream;
 import java.io.Serializable;
+import java.lang.ref.WeakReference;
 import java.util.ArrayList;
+import java.util.ConcurrentModificationException;
+import java.util.Iterator;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import yarts.physics.Integrator;
+import yarts.physics.Snapshot;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
@@ -79,6 +83,76 @@ class UnitsTest {
         assertEquals(made.stateHash(), changed.stateHash());
         for (World world : List.of(changed, made)) for (int i = 0; i < 100; i++) world.advance(0.033);
         assertEquals(made.stateHash(), changed.stateHash());
+    }
+
+    @Test
+    void theListOfUnitsKnowsItsOwnAndNoOthers() {
+        World world = new World();
+        Unit first = world.add(new Unit(1)), second = world.add(new Unit(1));
+        Unit there = new World().add(new Unit(1));
+        assertTrue(world.units().contains(first));
+        assertTrue(world.units().contains(second));
+        assertEquals(1, world.units().indexOf(second));
+        for (Object other : new Object[] {there, new Unit(1), "unit", null}) {
+            assertFalse(world.units().contains(other));
+            assertEquals(-1, world.units().indexOf(other));
+        }
+    }
+
+    /** One more and one fewer is a change, too. */
+    @Test
+    void anIteratorFailsFastAfterChangesThatLeaveTheSameNumber() {
+        World world = new World();
+        for (int i = 0; i < 3; i++) world.add(new Unit(1));
+        Snapshot three = world.save();
+        assertFailsFast(world, () -> {
+            world.add(new Unit(1));
+            world.remove(world.get(0));
+        });
+        assertFailsFast(world, () -> {
+            world.restore(three);
+            world.remove(world.get(2));
+        });
+        assertFailsFast(world, () -> {
+            world.restore(three);
+            world.add(new Unit(1));
+        });
+        world.clear();
+        for (int i = 0; i < 2; i++) world.add(new Unit(1));
+        assertFailsFast(world, () -> {
+            world.restore(three);
+            world.restore(three);
+        });
+    }
+
+    private static void assertFailsFast(World world, Runnable change) {
+        Iterator<Unit> units = world.iterator();
+        units.next();
+        change.run();
+        assertThrows(ConcurrentModificationException.class, units::next);
+    }
+
+    @Test
+    void aUnitSaysWhereItIsAndHowItMoves() {
+        Unit unit = new Unit(4).setPosition(1, 2).setVelocity(3, -0.5);
+        assertEquals("Unit[x=1.0, y=2.0, vx=3.0, vy=-0.5, mass=4.0]", unit.toString());
+        assertEquals("Tank[x=0.0, y=0.0, vx=0.0, vy=0.0, mass=40000.0]", new Tank().toString());
+    }
+
+    /** Neither the world nor what it makes anew holds on to units that a restore took out of it. */
+    @Test
+    void aUnitThatARestoreTookOutCanBeCollected() throws Exception {
+        World world = new World();
+        Snapshot empty = world.save();
+        List<WeakReference<Unit>> gone = new ArrayList<>();
+        for (int i = 0; i < 20; i++) gone.add(new WeakReference<>(world.add(new Unit(1))));
+        world.restore(empty);
+        for (int i = 0; i < 100 && gone.stream().anyMatch(unit -> unit.get() != null); i++) {
+            System.gc();
+            Thread.sleep(10);
+        }
+        assertTrue(gone.stream().allMatch(unit -> unit.get() == null));
+        assertEquals(0, world.size());
     }
 
     private static final class Tank extends Unit implements Serializable {

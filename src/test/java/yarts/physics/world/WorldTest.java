@@ -341,10 +341,15 @@ class WorldTest {
 
     @Test
     void aCorrectionThatIsInfinitelyFarIsATeleport() {
-        world.add(a).setPosition(-Double.MAX_VALUE, 0).setVelocity(1, 1);
-        world.setStepListener(after(() -> a.setPosition(Double.MAX_VALUE, 0)));
-        world.step();
-        assertEquals(Double.MAX_VALUE, a.getInterpolatedX(0.5));
+        double far = Double.MAX_VALUE;
+        for (double[] to : new double[][] {{far, 0}, {0, far}, {far, far}}) {
+            world.add(a).setPosition(-to[0], -to[1]).setVelocity(1, 1);
+            world.setStepListener(after(() -> a.setPosition(to[0], to[1])));
+            world.step();
+            assertEquals(to[0], a.getInterpolatedX(0.5));
+            assertEquals(to[1], a.getInterpolatedY(0.5));
+            world.remove(a);
+        }
     }
 
     @Test
