@@ -69,6 +69,11 @@ class TopSpeedTest {
     void aSlowerUnitIsNotAtItsTopSpeed() {
         Unit unit = new Unit(1).setMaxSpeed(15).setVelocity(15 * (1 - 1e-14), 0);
         assertEquals(15 * (1 - 1e-14), unit.getSpeed());
+        double at = 1 - 0x1p-48; // from here on rounding may be all that is between
+        assertEquals(1, new Unit(1).setMaxSpeed(1).setVelocity(at, 0).getSpeed());
+        assertEquals(
+                Math.nextDown(at),
+                new Unit(1).setMaxSpeed(1).setVelocity(Math.nextDown(at), 0).getSpeed());
         assertEquals(5, new Unit(1).setVelocity(3, 4).getSpeed());
         assertEquals(0, new Unit(1).setMaxSpeed(0).getSpeed());
         assertEquals(0, new Unit(1).setMaxSpeed(Double.MIN_VALUE).getSpeed());

@@ -285,4 +285,31 @@ class SnapshotTest {
         assertEquals(101, lines.lines().count());
         assertTrue(lines.endsWith("\nand 402 more\n"), lines); // lastId, size and 500 units are 502
     }
+
+    @Test
+    void aDifferenceOfJustAHundredLinesShowsAll() {
+        for (int i = 0; i < 98; i++) world.add(new Unit(1)); // and lastId, and size
+        String lines = saved.difference(Saves.snapshot(world));
+        assertEquals(100, lines.lines().count());
+        assertTrue(
+                lines.endsWith("\nunit " + world.get(world.size() - 1).getId() + ": missing | index "
+                        + (world.size() - 1) + "\n"),
+                lines);
+    }
+
+    /** Counts as counts, times as times. */
+    @Test
+    void aDifferenceOfTimeIsTold() {
+        World now = new World(Integrator.EULER, Timestep.fixed(4)),
+                later = new World(Integrator.EULER, Timestep.fixed(4));
+        later.step(0.5);
+        later.step();
+        later.advance(0.125);
+        assertEquals("""
+                tick: 0 | 2
+                regularTicks: 0 | 1
+                remainder: 0 | 500000000
+                time: 0x0.0p0 (0.0) | 0x1.0p-1 (0.5)
+                """, now.save().difference(later.save()));
+    }
 }
