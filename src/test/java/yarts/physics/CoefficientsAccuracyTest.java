@@ -30,7 +30,7 @@ class CoefficientsAccuracyTest {
         return switch (integrator) {
             case EULER -> new double[] {0.5, 0.5, 0, 0};
             case MIDPOINT -> new double[] {2, 1.5, 0, 0};
-            case EXACT -> new double[] {1.5, 2, 4, 2};
+            case EXACT -> new double[] {1.5, 2, 4.5, 2.5};
         };
     }
 

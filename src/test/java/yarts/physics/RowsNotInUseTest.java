@@ -3,8 +3,11 @@ package yarts.physics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -64,5 +67,13 @@ class RowsNotInUseTest {
         world.clear();
         add(world, 520);
         play(world);
+    }
+
+    /** Making one takes no arrays of its own. */
+    @Test
+    void unitsOutsideAWorldShareTheirArrays() {
+        Set<Columns> arrays = new HashSet<>();
+        for (int i = 0; i < 4 * Columns.LANES; i++) arrays.add(new Unit(1).columns);
+        assertTrue(arrays.size() <= 5, arrays.size() + " for " + 4 * Columns.LANES);
     }
 }

@@ -117,4 +117,19 @@ class TeamSharesTest {
         pool.shutdownNow();
         for (int i = 0; i < 1000; i++) shareOnce(team);
     }
+
+    /** Each slice waits until as many threads have begun one. The caller alone would wait for ever. */
+    @Test
+    void slicesRunAtTheSameTimeAgainAndAgain() {
+        for (int i = 0; i < 100; i++) {
+            CountDownLatch begun = new CountDownLatch(4);
+            team.share(
+                    (start, end) -> {
+                        begun.countDown();
+                        awaitQuietly(begun);
+                    },
+                    THINGS);
+            assertEquals(0, begun.getCount());
+        }
+    }
 }

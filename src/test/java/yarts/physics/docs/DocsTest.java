@@ -108,6 +108,25 @@ class DocsTest {
         }
     }
 
+    /** Of the tests that the page on quality names, and of the profiles that any page has in its commands. */
+    @Test
+    void everyTestAndProfileThatIsNamedExists() throws Exception {
+        List<String> tests = find(NAME, Files.readString(Path.of("docs/quality.md")));
+        assertTrue(tests.size() > 20, "names too little: " + tests);
+        for (String name : tests) assertTrue(member(name).isEmpty() ? isCode(name) : isTest(name), name);
+        List<String> had =
+                find(Pattern.compile("<profile>\\s*(?:<!--.*?-->\\s*)*<id>(.*?)</id>", Pattern.DOTALL), poms());
+        for (Path page : pages()) {
+            for (String name : find(Pattern.compile("mvn[^`\n]* -P(\\w+)"), Files.readString(page))) {
+                assertTrue(had.contains(name), page + " asks for the profile " + name + "; there are " + had);
+            }
+        }
+    }
+
+    private static String poms() throws IOException {
+        return Files.readString(Path.of("pom.xml")) + Files.readString(Path.of("src/site/pom.xml"));
+    }
+
     /** Between two releases, the POM builds the next version and the README names the last one. */
     @Test
     void readmeAsksForTheVersionThatThePomBuildsOrTheLastRelease() throws IOException {

@@ -197,4 +197,25 @@ public class WorldTimeTest {
         world.step(-0.0);
         assertEquals(0.0, world.getTime());
     }
+
+    @Test
+    void aTimestepSaysWhatItIs() {
+        assertEquals("Timestep.fixed(60).withMaxSteps(15)", Timestep.fixed(60).toString());
+        assertEquals("Timestep.fixed(3).withMaxSteps(1)", Timestep.fixed(3).toString());
+        assertEquals(
+                "Timestep.variable(0.05).withMaxSteps(5)",
+                Timestep.variable(0.05).toString());
+        assertEquals(
+                "Timestep.variable(2.0).withMaxSteps(7)",
+                Timestep.variable(2).withMaxSteps(7).toString());
+    }
+
+    @Test
+    void aStepOfMinusNoTimeIsOneOfNoTime() {
+        World world = new World();
+        List<Double> steps = new ArrayList<>();
+        world.setStepListener((w, dt) -> steps.add(dt));
+        world.step(-0.0);
+        assertEquals(List.of(0.0), steps); // which as objects are told apart
+    }
 }

@@ -129,6 +129,17 @@ class AllocationTest {
         }
     }
 
+    /** Also where the units are just as many as there is room for. */
+    @Test
+    void savingAllocatesNothingWithAnyNumberOfUnits() {
+        World world = new World();
+        Snapshot snapshot = new Snapshot();
+        for (int units : new int[] {1, 15, 16, 17, 32, 64, 128}) {
+            while (world.size() < units) world.add(new Unit(1));
+            assertEquals(0, fewestBytes(() -> world.save(snapshot)), units + " units");
+        }
+    }
+
     @Test
     void drawingAllocatesNothing() {
         World world = crowd(Integrator.EULER, Timestep.fixed(60));
