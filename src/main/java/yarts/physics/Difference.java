@@ -62,6 +62,6 @@ final class Difference {
     }
 
     private static String show(Object value) {
-        return value instanceof Double ? Double.toHexString((Double) value) + " (" + value + ")" : value.toString();
+        return value instanceof Double v ? Double.toHexString(v) + " (" + value + ")" : value.toString();
     }
 }

@@ -141,6 +141,6 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
 
     @Override
     public int indexOf(Object o) {
-        return o instanceof Unit && has((Unit) o) ? ((Unit) o).index() : -1;
+        return o instanceof Unit unit && has(unit) ? unit.index() : -1;
     }
 }

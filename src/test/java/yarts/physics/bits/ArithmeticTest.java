@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -28,26 +29,26 @@ class ArithmeticTest {
     private static final boolean ARM = System.getProperty("os.arch").equals("aarch64");
 
     /** Sets bits of the floating-point control register: when it is loaded, if that is asked for, and when called. */
-    private static final String LIBRARY = String.join(
-            "\n",
-            "#ifdef __aarch64__",
-            "static void set(int bits) {",
-            "    unsigned long long mode;",
-            "    __asm__ volatile(\"mrs %0, fpcr\" : \"=r\"(mode));",
-            "    mode |= bits;",
-            "    __asm__ volatile(\"msr fpcr, %0\" : : \"r\"(mode));",
-            "}",
-            "#else",
-            "#include <xmmintrin.h>",
-            "static void set(int bits) { _mm_setcsr(_mm_getcsr() | bits); }",
-            "#endif",
-            "#ifdef AT_ONCE",
-            "__attribute__((constructor)) static void loaded(void) { set(AT_ONCE); }",
-            "#endif",
-            "#ifdef _WIN32",
-            "__declspec(dllexport)",
-            "#endif",
-            "void Java_yarts_physics_bits_ArithmeticMain_set(void *env, void *type, int bits) { set(bits); }");
+    private static final String LIBRARY = """
+            #ifdef __aarch64__
+            static void set(int bits) {
+                unsigned long long mode;
+                __asm__ volatile("mrs %0, fpcr" : "=r"(mode));
+                mode |= bits;
+                __asm__ volatile("msr fpcr, %0" : : "r"(mode));
+            }
+            #else
+            #include <xmmintrin.h>
+            static void set(int bits) { _mm_setcsr(_mm_getcsr() | bits); }
+            #endif
+            #ifdef AT_ONCE
+            __attribute__((constructor)) static void loaded(void) { set(AT_ONCE); }
+            #endif
+            #ifdef _WIN32
+            __declspec(dllexport)
+            #endif
+            void Java_yarts_physics_bits_ArithmeticMain_set(void *env, void *type, int bits) { set(bits); }
+            """;
 
     @TempDir
     static Path folder;
@@ -80,7 +81,7 @@ class ArithmeticTest {
                         .start();
                 if (process.waitFor() == 0) return true;
             } catch (IOException e) {
-                continue; // there is no such program
+                // There is no such program: the next one.
             }
         }
         return false;
@@ -99,7 +100,7 @@ class ArithmeticTest {
                         String.valueOf(bits))
                 .redirectErrorStream(true)
                 .start();
-        String text = new String(process.getInputStream().readAllBytes()).trim();
+        String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8).trim();
         assertEquals(0, process.waitFor(), text);
         List<String> lines = text.lines().toList();
         assertEquals(2, lines.size(), text);

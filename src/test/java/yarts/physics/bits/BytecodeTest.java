@@ -156,8 +156,7 @@ class BytecodeTest {
         @Override
         public void visitInvokeDynamicInsn(String called, String desc, Handle bootstrap, Object... args) {
             for (Object arg : args) {
-                if (!(arg instanceof Handle)) continue; // a method reference, such as Math::sin
-                Handle to = (Handle) arg;
+                if (!(arg instanceof Handle to)) continue; // a method reference, such as Math::sin
                 report(broken(to.getOwner(), to.getName(), to.getDesc()), to.toString());
             }
         }
@@ -168,10 +167,10 @@ class BytecodeTest {
         String type = owner.replaceFirst("^java/(lang|util)/", "");
         if (type.equals("Math")) {
             boolean integers = !desc.matches(".*[DF].*");
-            return integers || name.matches("sqrt|abs|min|max") && !desc.contains("F") ? null : Rule.MATH;
+            return integers || (name.matches("sqrt|abs|min|max") && !desc.contains("F")) ? null : Rule.MATH;
         }
         if (type.equals("StrictMath")) return Rule.STRICT_MATH;
-        if (name.matches("hashCode|identityHashCode") || type.equals("Objects") && name.equals("hash")) {
+        if (name.matches("hashCode|identityHashCode") || (type.equals("Objects") && name.equals("hash"))) {
             return Rule.IDENTITY;
         }
         if (type.equals("System") && name.equals("arraycopy")) return null;
@@ -179,7 +178,7 @@ class BytecodeTest {
             return Rule.SYSTEM;
         }
         if (type.matches("concurrent/TimeUnit|concurrent/locks/LockSupport")) return Rule.SYSTEM;
-        if (owner.startsWith("java/") && owner.contains("andom") || type.equals("UUID")) return Rule.RANDOM;
+        if ((owner.startsWith("java/") && owner.contains("andom")) || type.equals("UUID")) return Rule.RANDOM;
         if (name.startsWith("parallel") || (owner + desc).matches(".*java/util/(stream/|concurrent/atomic/)Double.*")) {
             return Rule.REDUCTION;
         }
@@ -188,7 +187,7 @@ class BytecodeTest {
 
     private static boolean isLookUp(String name, String desc) {
         return name.matches("get|put|remove|add|contains|containsKey|size|isEmpty|clear")
-                || name.equals("<init>") && !desc.contains(";"); // not a copy of another
+                || (name.equals("<init>") && !desc.contains(";")); // not a copy of another
     }
 
     private static boolean isUnordered(String owner) {

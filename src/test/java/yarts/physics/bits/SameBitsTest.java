@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import java.io.File;
 import java.io.IOException;
 import java.net.URISyntaxException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -151,7 +152,7 @@ class SameBitsTest {
                     .redirectError(ProcessBuilder.Redirect.DISCARD)
                     .start();
             try {
-                String line = new String(process.getInputStream().readAllBytes()).trim();
+                String line = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8).trim();
                 return process.waitFor() == 0 && line.equals(GOLDEN.get(ticks))
                         ? ""
                         : String.format("%d ticks: %s: %s on %d threads of %s%n", ticks, line, flags, threads, home);

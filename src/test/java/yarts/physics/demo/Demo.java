@@ -37,6 +37,7 @@ public final class Demo implements Callable<Integer> {
     private Path images;
 
     @Option(names = "--help", usageHelp = true, description = "Show this help.")
+    @SuppressWarnings("unused") // picocli looks at it
     private boolean help;
 
     public static void main(String[] args) {
@@ -81,6 +82,8 @@ public final class Demo implements Callable<Integer> {
     }
 
     /** A bar on a terminal; elsewhere, such as in a log, a line every few seconds. */
+    /** A bar that moves where somebody looks at it, or a line now and then. */
+    @SuppressWarnings("SystemConsoleNull") // from JDK 22 to 24 it is never null, and logs get the bar
     private static ProgressBar progress(int ticks) {
         ProgressBarBuilder bar = new ProgressBarBuilder()
                 .setTaskName("Skirmish")

@@ -87,7 +87,7 @@ final class Relay implements AutoCloseable {
         long deadline = System.nanoTime() + PATIENCE * 1_000_000L;
         while (true) {
             if (failure != null || desync != null) return new Reply(Reply.Kind.END);
-            long first = hashes.size() - log.size();
+            long first = (long) hashes.size() - log.size();
             if (request.tick() < first) return new Reply(Reply.Kind.LOAD, save);
             if (request.tick() < tick()) {
                 requireEqual(request.player(), "hash", hashes.get((int) request.tick()), request.hash());
@@ -98,6 +98,7 @@ final class Relay implements AutoCloseable {
         }
     }
 
+    @SuppressWarnings("WaitNotInLoop") // whoever calls this does so in a loop
     private void await(long deadline) throws InterruptedException {
         long left = (deadline - System.nanoTime()) / 1_000_000;
         if (left <= 0) throw new IllegalStateException("at tick " + tick() + " there are only " + present.keySet());

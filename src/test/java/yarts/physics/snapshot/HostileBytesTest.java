@@ -41,9 +41,9 @@ class HostileBytesTest {
     void everyFlipOfABitIsRefused() {
         byte[] save = Saves.save(100);
         for (int bit = 0; bit < 8 * save.length; bit++) {
-            save[bit / 8] ^= 1 << bit % 8;
+            save[bit / 8] ^= (byte) (1 << bit % 8);
             Saves.refused(save);
-            save[bit / 8] ^= 1 << bit % 8;
+            save[bit / 8] ^= (byte) (1 << bit % 8);
         }
         Snapshot.fromBytes(save);
     }
@@ -155,7 +155,7 @@ class HostileBytesTest {
                     mutant[random.nextInt(mutant.length)] = (byte) random.nextInt();
                     break;
                 case 1:
-                    mutant[random.nextInt(mutant.length)] ^= 1 << random.nextInt(8);
+                    mutant[random.nextInt(mutant.length)] ^= (byte) (1 << random.nextInt(8));
                     break;
                 case 2:
                     Saves.order(mutant).putDouble(word, DOUBLES[random.nextInt(DOUBLES.length)]);

@@ -153,9 +153,9 @@ public final class Saves {
         }
         world.step(0.3);
         for (int i = 3; i < units; i += 7) world.get(i).setFrozen(true);
-        for (Unit unit : world) unit.applyForce(3, unit.getId());
+        for (Unit unit : world) unit.applyForce(3, (double) unit.getId());
         world.advance(0.06);
-        for (Unit unit : world) unit.applyForce(unit.getId(), 2);
+        for (Unit unit : world) unit.applyForce((double) unit.getId(), 2);
         return of(world);
     }
 
@@ -194,7 +194,7 @@ public final class Saves {
         for (Unit unit : world) {
             for (String name : STATE) {
                 double v = state(unit, name);
-                assertTrue(Double.isFinite(v) || name.equals("maxSpeed") && v > 0, name);
+                assertTrue(Double.isFinite(v) || (name.equals("maxSpeed") && v > 0), name);
             }
             for (double alpha : new double[] {0, 0.5, 1}) {
                 assertTrue(Double.isFinite(unit.getInterpolatedX(alpha)));

@@ -36,9 +36,9 @@ class SnapshotFieldsTest {
     private static World world() {
         World world = new World(Integrator.EXACT, Timestep.fixed(60));
         for (int i = 1; i <= 5; i++) world.add(new Unit(i).setFriction(i).setMaxSpeed(100));
-        for (Unit unit : world) unit.applyForce(1, -unit.getId());
+        for (Unit unit : world) unit.applyForce(1, (double) -unit.getId());
         world.step(0.01);
-        for (Unit unit : world) unit.applyForce(1, -unit.getId());
+        for (Unit unit : world) unit.applyForce(1, (double) -unit.getId());
         assertEquals(2, world.advance(0.04));
         world.remove(world.add(new Unit(6)));
         return world;

@@ -33,7 +33,7 @@ class StateHashTest {
         }
         world.advance(0.04);
         for (int i = 0; i < UNITS; i += 4) world.get(i).setFrozen(true);
-        for (Unit unit : world) unit.applyForce(unit.getId(), 2);
+        for (Unit unit : world) unit.applyForce((double) unit.getId(), 2);
         return world;
     }
 
@@ -50,13 +50,13 @@ class StateHashTest {
                 Saves.Place place = entry.getValue();
                 if (i > 0 && place.offset() < Saves.HEADER) continue;
                 for (int bit = 8 * place.offset(); bit < 8 * (place.offset() + place.size()); bit++) {
-                    save[bit / 8] ^= 1 << bit % 8;
+                    save[bit / 8] ^= (byte) (1 << bit % 8);
                     if (isAccepted(target, Saves.repair(save))) {
                         shown.merge(entry.getKey(), 1, Integer::sum);
                         boolean zero = place.get(save).equals(-0.0);
                         assertEquals(!zero, hashes.add(target.stateHash()), entry.getKey() + " of " + i);
                     }
-                    save[bit / 8] ^= 1 << bit % 8;
+                    save[bit / 8] ^= (byte) (1 << bit % 8);
                 }
             }
         }

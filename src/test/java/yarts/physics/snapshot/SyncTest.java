@@ -66,7 +66,7 @@ class SyncTest {
         assertEquals(NONE, firstMismatch(world, SyncTest::skirmish, 2000));
         assertTrue(world.getTick() > 1500, world.getTick() + " steps");
         long added = world.add(new Unit(1)).getId();
-        assertTrue(added > 2000 && added > 20 * world.size(), "units come and go: " + added);
+        assertTrue(added > 2000 && added > 20L * world.size(), "units come and go: " + added);
     }
 
     @ParameterizedTest

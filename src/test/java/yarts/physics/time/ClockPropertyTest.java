@@ -204,7 +204,8 @@ class ClockPropertyTest {
             ticks += steps;
             assertEquals(last[1], steps);
             int fewest = elapsed == 0 ? 0 : (int) Math.min(limit, Math.max(1, Math.floor(elapsed / maxStep)));
-            assertTrue(steps == fewest || steps == fewest + 1 && steps <= limit, () -> steps + " steps, not " + fewest);
+            assertTrue(
+                    steps == fewest || (steps == fewest + 1 && steps <= limit), () -> steps + " steps, not " + fewest);
             in = in.add(new BigDecimal(elapsed));
         }
         double out = world.getTime() + world.getDroppedTime();

@@ -157,6 +157,8 @@ class UnitsTest {
 
     private static final class Tank extends Unit implements Serializable {
         private static final long serialVersionUID = 1;
+
+        @SuppressWarnings("unused") // but it would be saved
         final int shells = 3;
 
         Tank() {
