@@ -50,7 +50,7 @@ abstract class Simulation {
         refuseWhileStepping();
         int was = getTimestep().rate, rate = Check.notNull("timestep", timestep).rate;
         state.clock.setTimestep(timestep);
-        state.interpolating &= timestep.isFixed();
+        state.interpolating = state.interpolating && timestep.isFixed();
         if (rate != was) Impulses.scale(state.table, rate == 0 ? 0 : (double) was / rate);
     }
 
