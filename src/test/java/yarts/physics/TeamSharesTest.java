@@ -89,16 +89,18 @@ class TeamSharesTest {
             int bad = i % 4 * 16;
             AtomicLong others = new AtomicLong();
             Error error = new AssertionError("thrown by a slice");
-            assertSame(
-                    error,
-                    assertThrows(
-                            AssertionError.class,
-                            () -> team.share(
-                                    (start, end) -> {
-                                        if (start == bad) throw error;
-                                        others.addAndGet(end - start);
-                                    },
-                                    THINGS)));
+            RuntimeException exception = new IllegalStateException("thrown by a slice");
+            boolean isError = i % 8 < 4;
+            Throwable thrown = assertThrows(
+                    Throwable.class,
+                    () -> team.share(
+                            (start, end) -> {
+                                if (start == bad && isError) throw error;
+                                if (start == bad) throw exception;
+                                others.addAndGet(end - start);
+                            },
+                            THINGS));
+            assertSame(isError ? error : exception, thrown);
             assertEquals(THINGS - 16, others.get());
             shareOnce(team);
         }
