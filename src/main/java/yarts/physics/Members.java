@@ -30,21 +30,31 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
 
     Unit find(long id) {
         if (byId == null) {
-            byId = new HashMap<>();
-            for (int i = 0; i < size; i++) byId.put(list[i].getId(), list[i]);
+            Map<Long, Unit> all = new HashMap<>();
+            for (int i = 0; i < size; i++) all.put(list[i].getId(), list[i]);
+            byId = all;
         }
         return byId.get(id);
     }
 
     void append(Unit unit, long id) {
         reserve(size + 1);
+        if (byId != null) index(unit, id);
         unit.clearForces();
         unit.move(table.append(), Table.row(size));
         unit.columns.settle(unit.row);
         unit.columns.id[unit.row] = id;
         list[size++] = unit;
-        if (byId != null) byId.put(id, unit);
         modCount++;
+    }
+
+    private void index(Unit unit, long id) {
+        try {
+            byId.put(id, unit);
+        } catch (Throwable e) {
+            byId = null; // it may know the unit by now
+            throw e;
+        }
     }
 
     /** The units with the ids of another table; a factory makes those that are missing here. */
@@ -63,8 +73,10 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
         return wanted;
     }
 
+    /** Makes room for n units. What changes them comes after this, as it may fail for want of memory. */
     private void reserve(int n) {
         if (n > list.length) list = Arrays.copyOf(list, Math.max(n, 2 * list.length));
+        table.reserve(n);
     }
 
     /** Some units become those of the table, which is about to become another. */
@@ -76,14 +88,24 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
             }
         }
         if (n == size && are(wanted, saved)) return;
-        for (int i = 0; i < n; i++) if (has(wanted[i])) list[wanted[i].index()] = null; // it stays
-        for (int i = 0; i < size; i++) if (list[i] != null) list[i].leave();
-        Arrays.fill(list, 0, size, null);
         reserve(n);
+        int leaving = size;
+        for (int i = 0; i < n; i++) if (has(wanted[i])) leaving--;
+        Columns[] rooms = rooms(leaving);
+        for (int i = 0; i < n; i++) if (has(wanted[i])) list[wanted[i].index()] = null; // it stays
+        for (int i = 0; i < size; i++) if (list[i] != null) list[i].leave(rooms[--leaving / Columns.LANES]);
+        Arrays.fill(list, 0, size, null);
         System.arraycopy(wanted, 0, list, 0, n);
         size = n;
         byId = null;
         modCount++;
+    }
+
+    /** Blocks outside any world for so many units. */
+    private static Columns[] rooms(int units) {
+        Columns[] rooms = new Columns[Columns.lanes(units) / Columns.LANES];
+        for (int k = 0; k < rooms.length; k++) rooms[k] = new Columns(0, Columns.LANES);
+        return rooms;
     }
 
     private boolean are(Unit[] wanted, Table saved) {
@@ -104,10 +126,11 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
     @Override
     public Unit remove(int index) {
         Unit unit = get(index);
-        if (byId != null) byId.remove(unit.getId());
-        Unit last = list[--size];
         Columns gap = unit.columns;
-        unit.leave();
+        Long id = unit.getId();
+        unit.leave(null); // which may fail; nothing has changed by then
+        if (byId != null) byId.remove(id);
+        Unit last = list[--size];
         list[size] = null;
         if (last != unit) {
             last.move(gap, Table.row(index));

@@ -31,12 +31,13 @@ abstract class Row {
         place(columns, row);
     }
 
-    /** Takes what it holds to a row outside any world, but for forces that have yet to act. */
-    void leave() {
+    /** Takes what it holds to a row outside any world, but for forces that have yet to act: in a room, or the nursery. */
+    void leave(Columns room) {
         Columns was = columns;
         int wasRow = row;
+        if (room == null) adopt(this);
+        else place(room, room.end++);
         was.clearForces(wasRow);
-        adopt(this);
         was.copyRow(wasRow, columns, row);
     }
 

@@ -33,14 +33,17 @@ public final class Snapshot {
     /** Creates an empty snapshot, for {@link World#save(Snapshot)}. */
     public Snapshot() {}
 
+    /** Becomes a world's; or stays as it was, if there is no memory for that. */
     void take(State source, Unit[] units) {
-        if (state == null) state = new State(source.integrator, source.clock.timestep());
-        state.set(source);
+        int n = source.table.size();
+        Unit[] own = this.units.length < n ? new Unit[units.length] : this.units;
+        State copy = state == null ? new State(source.integrator, source.clock.timestep()) : state;
+        copy.set(source);
+        state = copy;
         this.source = source;
-        int n = state.table.size();
-        if (this.units.length < n) this.units = new Unit[units.length];
-        else Arrays.fill(this.units, n, this.units.length, null); // and keep none alive for nothing
-        System.arraycopy(units, 0, this.units, 0, n);
+        System.arraycopy(units, 0, own, 0, n);
+        Arrays.fill(own, n, own.length, null); // and keep none alive for nothing
+        this.units = own;
     }
 
     State state() {

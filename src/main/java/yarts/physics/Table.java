@@ -46,25 +46,34 @@ final class Table {
         at(size).clear(row(size));
     }
 
-    /** Makes room for n rows, no fewer than there are. */
+    /** Has n rows, no fewer than now. */
     void resize(int n) {
+        reserve(n);
+        for (int k = size / Columns.BLOCK; k * Columns.BLOCK < n; k++) blocks[k].end = end(k, n);
+        size = n;
+    }
+
+    /** Makes room for n rows: all of {@link #resize} that takes memory, and so may fail. */
+    void reserve(int n) {
         for (int k = size / Columns.BLOCK; k * Columns.BLOCK < n; k++) {
             if (k == blocks.length) add(n);
-            Columns block = blocks[k];
-            int end = Math.min(n - block.origin, block.start + Columns.BLOCK);
-            if (end > block.capacity()) grow(k, n - block.origin);
-            block.end = end;
+            if (end(k, n) > blocks[k].capacity()) grow(k, n - blocks[k].origin);
         }
-        size = n;
+    }
+
+    /** Where block k ends in a table of n rows. */
+    private int end(int k, int n) {
+        return Math.min(n - blocks[k].origin, blocks[k].start + Columns.BLOCK);
     }
 
     /** Adds a block, for a table of n rows. */
     private void add(int n) {
         int k = blocks.length, start = row(k * Columns.BLOCK), origin = k * Columns.BLOCK - start;
-        blocks = Arrays.copyOf(blocks, k + 1);
-        blocks[k] = start > 0
+        Columns block = start > 0
                 ? new Columns(blocks[k - 1], start)
                 : new Columns(origin, Columns.lanes(Math.min(n - origin, Columns.SHARED)));
+        blocks = Arrays.copyOf(blocks, k + 1);
+        blocks[k] = block;
     }
 
     /** Makes room for some rows in the arrays of block k, the last that shares them. */

@@ -34,8 +34,8 @@ public class Unit extends Row {
     }
 
     @Override
-    void leave() {
-        super.leave();
+    void leave(Columns room) {
+        super.leave(room);
         world = null;
     }
 

@@ -56,7 +56,8 @@ public final class World extends Simulation implements Iterable<Unit> {
             throw new IllegalStateException("a unit can be in one world only, and this one is in "
                     + (contains(unit) ? "this world already: " : "another: ") + unit);
         }
-        members.append(unit, ++state.lastId);
+        members.append(unit, state.lastId + 1);
+        state.lastId++;
         unit.world = this;
         return unit;
     }

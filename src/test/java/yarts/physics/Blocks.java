@@ -23,4 +23,10 @@ public final class Blocks {
         }
         return sizes.stream().mapToInt(size -> size).toArray();
     }
+
+    /** The next unit that is made, or leaves a world, needs arrays of its own. */
+    public static void fillNursery() {
+        int row = 0;
+        while (row != Columns.LANES - 1) row = new Unit(1).row;
+    }
 }

@@ -1,0 +1,55 @@
+package yarts.physics.faults;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** No memory for a call: it is as if it had not been made. By {@link OutOfMemoryMain}, in a JVM with a small heap. */
+class OutOfMemoryTest {
+    private static final int CALLS = 14;
+
+    private static List<String> failures(String... units) throws Exception {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx24m",
+                "-XX:+UseSerialGC",
+                "-cp",
+                System.getProperty("java.class.path"),
+                OutOfMemoryMain.class.getName()));
+        command.addAll(List.of(units));
+        Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+        String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(0, process.waitFor(), text);
+        return text.lines().toList();
+    }
+
+    /** How often each call failed before there was enough; a step takes no memory at all. */
+    private static void assertFailed(List<String> lines) {
+        assertEquals(CALLS, lines.size(), lines.toString());
+        for (String line : lines) {
+            boolean step = line.startsWith("step:") || line.startsWith("advance:");
+            int most = 0;
+            for (String times : line.replaceFirst(".*: ", "").split(" "))
+                most = Math.max(most, Integer.parseInt(times));
+            assertTrue(step ? most == 0 : most > 5, line);
+        }
+    }
+
+    @Test
+    void aCallWithoutMemoryChangesNothing() throws Exception {
+        assertFailed(failures("32"));
+    }
+
+    /** At the ends of blocks and arrays. */
+    @Test
+    @Tag("long")
+    void aCallWithoutMemoryChangesNothingInWorldsOfAnySize() throws Exception {
+        assertFailed(failures("1", "31", "32", "512", "600", "1024", "2048"));
+    }
+}
