@@ -173,7 +173,7 @@ final class OutOfMemoryMain {
         long after = never.stateHash();
         List<Long> afterwards = Churn.bits(never);
         int failures = 0;
-        for (int free = 0; free < 1 << 23; free += 16 + free / 4) {
+        for (int free = 0; free < 1 << 23; free += 16 + free / 3) {
             World world = world(units);
             prepare(world);
             long before = world.stateHash();
@@ -197,9 +197,12 @@ final class OutOfMemoryMain {
                 require(
                         recruit.getWorld() != null || unitsValues.equals(Churn.bits(recruit)),
                         "a changed unit " + when);
-                World former = new World();
-                former.restore(used);
-                require(former.stateHash() == world(3).stateHash(), "another snapshot " + when);
+                Snapshot now = world.save();
+                for (World other : new World[] {new World(), world}) {
+                    other.restore(used);
+                    require(other.stateHash() == world(3).stateHash(), "another snapshot " + when);
+                }
+                world.restore(now);
                 recruits.next = 0;
                 if (recruit.getWorld() == null) got = call.on(world);
                 else got = result;
