@@ -1,17 +1,26 @@
 package yarts.physics.world;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.concurrent.ForkJoinPool;
 import java.util.function.Consumer;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.Collectors;
+import yarts.physics.Copies;
 import yarts.physics.Integrator;
+import yarts.physics.Snapshot;
 import yarts.physics.StepListener;
 import yarts.physics.Unit;
 import yarts.physics.World;
@@ -34,10 +43,26 @@ final class Twins {
         final double[] scale = new double[2];
 
         double previousX, previousY;
+        long id;
 
         Twin(Unit unit, Unit alone) {
             this.unit = unit;
             this.alone = alone;
+        }
+
+        /** The same as it is now, or was, with a unit of the world's. */
+        Twin copy(Unit unit) {
+            Twin copy = new Twin(unit, Copies.of(alone));
+            for (int k = 0; k < 2; k++) {
+                copy.frame[k] = frame[k];
+                copy.once[k] = once[k];
+                copy.pending[k] = pending[k];
+                copy.scale[k] = scale[k];
+            }
+            copy.previousX = previousX;
+            copy.previousY = previousY;
+            copy.id = id;
+            return copy;
         }
 
         void settle() {
@@ -100,12 +125,27 @@ final class Twins {
         }
     }
 
+    /** All that a save has to know. */
+    private record Save(
+            Snapshot snapshot,
+            long hash,
+            List<Twin> inside,
+            Integrator integrator,
+            Pace pace,
+            Time time,
+            long lastId) {}
+
+    private record Time(long tick, long remainder, double time, double dropped, boolean interpolating) {}
+
     private World world;
     private Integrator integrator;
     private Pace pace;
     private final List<Twin> inside = new ArrayList<>();
     private final List<Twin> outside = new ArrayList<>();
-    private long tick, remainder;
+    /** Those of this world. */
+    private final List<Save> saves = new ArrayList<>();
+
+    private long tick, remainder, lastId;
     private double time, dropped;
     private boolean interpolating;
 
@@ -119,11 +159,13 @@ final class Twins {
         this.pace = pace;
         if (world != null) world.clear();
         world = new World(integrator, pace.timestep());
-        tick = remainder = 0;
+        tick = remainder = lastId = 0;
         time = dropped = 0;
         interpolating = false;
+        saves.clear();
         for (Twin twin : inside) {
             world.add(twin.unit);
+            twin.id = ++lastId;
             twin.forget();
             twin.settle();
         }
@@ -163,6 +205,7 @@ final class Twins {
         if (outside.isEmpty()) return;
         Twin twin = outside.remove(pick % outside.size());
         assertSame(twin.unit, world.add(twin.unit));
+        twin.id = ++lastId;
         twin.forget();
         twin.settle();
         inside.add(twin);
@@ -207,6 +250,104 @@ final class Twins {
     void clear() {
         world.clear();
         while (!inside.isEmpty()) removed(inside.size() - 1);
+    }
+
+    void save() {
+        Snapshot snapshot = saves.size() < 3 ? new Snapshot() : saves.remove(0).snapshot;
+        world.save(snapshot);
+        List<Twin> copies = inside.stream().map(twin -> twin.copy(twin.unit)).collect(Collectors.toList());
+        Time now = new Time(tick, remainder, time, dropped, interpolating);
+        saves.add(new Save(snapshot, world.stateHash(), copies, integrator, pace, now, lastId));
+    }
+
+    /** Back to a save, with the same objects. */
+    void restore(int pick) {
+        if (saves.isEmpty()) return;
+        Save save = saves.get(pick % saves.size());
+        world.restore(save.snapshot);
+        restored(save, save.inside.stream().map(twin -> twin.unit).collect(Collectors.toList()));
+    }
+
+    /** To a save that was written and read: who is here stays, the others are made. */
+    void load(int pick) {
+        if (saves.isEmpty()) return;
+        Save save = saves.get(pick % saves.size());
+        List<Unit> units = new ArrayList<>(), made = new ArrayList<>();
+        for (Twin twin : save.inside) {
+            Optional<Twin> here = inside.stream().filter(t -> t.id == twin.id).findFirst();
+            units.add(here.map(t -> t.unit).orElseGet(() -> new Unit(3)));
+            if (here.isEmpty()) made.add(units.get(units.size() - 1));
+        }
+        Iterator<Unit> factory = made.iterator();
+        world.restore(Snapshot.fromBytes(save.snapshot.toBytes()), id -> factory.next());
+        assertFalse(factory.hasNext());
+        restored(save, units);
+    }
+
+    private void restored(Save save, List<Unit> units) {
+        Set<Unit> back = Collections.newSetFromMap(new IdentityHashMap<>());
+        back.addAll(units);
+        outside.removeIf(twin -> back.contains(twin.unit));
+        for (Twin twin : inside) {
+            if (back.contains(twin.unit)) continue;
+            twin.forget();
+            outside.add(twin);
+        }
+        inside.clear();
+        for (int i = 0; i < units.size(); i++) inside.add(save.inside.get(i).copy(units.get(i)));
+        integrator = save.integrator;
+        pace = save.pace;
+        lastId = save.lastId;
+        tick = save.time.tick;
+        remainder = save.time.remainder;
+        time = save.time.time;
+        dropped = save.time.dropped;
+        interpolating = save.time.interpolating;
+        assertEquals(save.hash, world.stateHash());
+    }
+
+    /** Who is here is found, and nobody else. */
+    void find(int pick) {
+        for (Twin twin : inside) assertSame(twin.unit, world.find(twin.id));
+        boolean there = inside.stream().anyMatch(twin -> twin.id == pick);
+        assertEquals(there, world.find(pick) != null);
+    }
+
+    void setPool(boolean common) {
+        world.setPool(common ? ForkJoinPool.commonPool() : null);
+    }
+
+    /** What is refused changes nothing: {@link #compare} sees to that. */
+    void misuse(int pick) {
+        Twin twin = pick(pick);
+        Unit unit = twin == null ? new Unit(1) : twin.unit;
+        double bad = new double[] {Double.NaN, -1e60, Double.NEGATIVE_INFINITY}[pick % 3];
+        List<Runnable> calls = List.of(
+                () -> unit.setMass(bad),
+                () -> unit.setFriction(bad),
+                () -> unit.setMaxSpeed(bad),
+                () -> unit.setPosition(1, Double.NaN),
+                () -> unit.setVelocity(Double.NaN, 1),
+                () -> unit.applyForce(1, bad),
+                () -> unit.applyImpulse(bad, 1),
+                () -> unit.integrate(bad),
+                () -> unit.getInterpolatedX(bad),
+                () -> world.step(bad),
+                () -> world.advance(bad),
+                () -> world.get(-1),
+                () -> world.get(inside.size()),
+                () -> world.applyForces(new double[2 * inside.size() + 1], 2),
+                () -> world.copyPositions(new float[2 * inside.size() + 1], -1),
+                () -> world.restore(new Snapshot()),
+                () -> world.add(inside.isEmpty() ? null : inside.get(pick % inside.size()).unit),
+                () -> world.units().remove(0),
+                () -> world.setIntegrator(null),
+                () -> world.setTimestep(null));
+        for (Runnable call : calls) assertThrows(RuntimeException.class, call::run);
+        if (inside.isEmpty()) return;
+        double[] xy = new double[2 * inside.size()];
+        xy[xy.length - 1] = bad;
+        assertThrows(IllegalArgumentException.class, () -> world.applyForces(xy, 0));
     }
 
     /** Does the same to one of the units, in the world or not, and to its twin. */
@@ -407,6 +548,7 @@ final class Twins {
         same("alpha", alpha, world.getAlpha());
         for (Twin twin : inside) {
             assertSame(world, twin.unit.getWorld());
+            assertEquals(twin.id, twin.unit.getId());
             compare(twin);
             double drawn = interpolating ? alpha : 1;
             same("interpolated x", between(twin.previousX, twin.alone.getX(), drawn), twin.unit.getInterpolatedX());

@@ -28,12 +28,22 @@ class WorldPropertyTest {
 
     @Property(tries = 10_000)
     @Tag("long")
-    void aWorldEqualsItsUnitsSteppedAloneAtLength(@ForAll("histories") ActionChain<Twins> history) {
+    void aWorldEqualsItsUnitsSteppedAloneAtLength(@ForAll("longHistories") ActionChain<Twins> history) {
         aWorldEqualsItsUnitsSteppedAlone(history);
     }
 
     @Provide
     ActionChainArbitrary<Twins> histories() {
+        return histories(crowd(300)).withMaxTransformations(32);
+    }
+
+    /** With crowds as seldom in a chain as in the shorter ones. */
+    @Provide
+    ActionChainArbitrary<Twins> longHistories() {
+        return histories(crowd(3000)).withMaxTransformations(200);
+    }
+
+    private static ActionChainArbitrary<Twins> histories(Arbitrary<Integer> crowds) {
         Arbitrary<Integer> pick = pick();
         Arbitrary<Integrator> integrators = Arbitraries.of(Integrator.class);
         return ActionChain.startWith(Twins::new)
@@ -42,7 +52,7 @@ class WorldPropertyTest {
                                 mutate("world: " + integrator + " " + pace, t -> t.move(integrator, pace))))
                 .withAction(2, with("set integrator", integrators, Twins::setIntegrator))
                 .withAction(2, with("set timestep", paces(), Twins::setPace))
-                .withAction(6, (Action.Independent<Twins>) () -> Combinators.combine(crowd(), masses(), frictions())
+                .withAction(6, (Action.Independent<Twins>) () -> Combinators.combine(crowds, masses(), frictions())
                         .as((n, mass, friction) ->
                                 mutate("add " + n + " of mass " + mass + ", friction " + friction, t -> {
                                     for (int i = 0; i < n; i++) t.addNew(mass, friction / (1 + i));
@@ -51,6 +61,12 @@ class WorldPropertyTest {
                 .withAction(3, with("remove", pick, Twins::remove))
                 .withAction(1, with("remove all heavier than", masses(), Twins::removeHeavierThan))
                 .withAction(1, with("remove if heavier than", masses(), Twins::removeIfHeavierThan))
+                .withAction(3, with("save, after", pick, (t, i) -> t.save()))
+                .withAction(3, with("restore", pick, Twins::restore))
+                .withAction(2, with("load", pick, Twins::load))
+                .withAction(2, with("find", pick, Twins::find))
+                .withAction(1, with("misuse", pick, Twins::misuse))
+                .withAction(1, with("pool", Arbitraries.of(true, false), Twins::setPool))
                 .withAction(2, with("freeze", pick, (t, i) -> t.setFrozen(i, true)))
                 .withAction(2, with("let go", pick, (t, i) -> t.setFrozen(i, false)))
                 .withAction(1, with("clear forces of", pick, Twins::clearForces))
@@ -83,9 +99,9 @@ class WorldPropertyTest {
     }
 
     /** A handful, and now and then as many as a block has, or blocks that share their arrays, or one more or fewer. */
-    private static Arbitrary<Integer> crowd() {
+    private static Arbitrary<Integer> crowd(int handfuls) {
         return Arbitraries.frequencyOf(
-                Tuple.of(300, Arbitraries.integers().between(1, 20)),
+                Tuple.of(handfuls, Arbitraries.integers().between(1, 20)),
                 Tuple.of(30, Arbitraries.integers().between(Blocks.BLOCK - 2, Blocks.BLOCK + 2)),
                 Tuple.of(1, Arbitraries.integers().between(Blocks.SHARED - 2, Blocks.SHARED + 2)));
     }
