@@ -1,0 +1,76 @@
+package yarts.physics.soak;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.LongStream;
+import org.junit.jupiter.api.Test;
+
+/**
+ * A long game, twice at the same time, each in a JVM with a small heap: one hash, and no more memory at the end than at
+ * first. Here it is short; {@code -Dsoak.seconds=1200} makes it long, and shows how the time of a step changes.
+ */
+class SoakTest {
+    private static final long SECONDS = Long.getLong("soak.seconds", 4);
+
+    private static Process play() throws Exception {
+        return new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-Xmx64m",
+                        "-XX:+UseSerialGC",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        SoakMain.class.getName(),
+                        String.valueOf(SECONDS))
+                .redirectErrorStream(true)
+                .start();
+    }
+
+    private static List<String> lines(Process process) {
+        List<String> lines = process.inputReader(StandardCharsets.UTF_8).lines().toList();
+        assertEquals(0, process.onExit().join().exitValue(), lines.toString());
+        return lines;
+    }
+
+    private static List<String> only(List<String> lines, String kind) {
+        return lines.stream().filter(line -> line.startsWith(kind)).toList();
+    }
+
+    @Test
+    void aLongGameHasOneHashAndNeedsNoMoreMemoryAtItsEnd() throws Exception {
+        List<Process> processes = List.of(play(), play());
+        List<List<String>> runs =
+                processes.parallelStream().map(SoakTest::lines).toList();
+        List<String> hashes = only(runs.get(0), "hash"), otherHashes = only(runs.get(1), "hash");
+        int common = Math.min(hashes.size(), otherHashes.size());
+        assertTrue(common > 3, common + " hashes");
+        assertEquals(hashes.subList(0, common), otherHashes.subList(0, common));
+        assertEquals(
+                common,
+                hashes.subList(0, common).stream()
+                        .map(h -> h.split(" ", 3)[2])
+                        .distinct()
+                        .count());
+
+        for (List<String> run : runs) {
+            List<String> parts = only(run, "part");
+            if (SECONDS > 60) {
+                System.out.println("part, ticks, ns of a step of 10,000 units: median, 99 %, longest; bytes in use");
+                parts.forEach(System.out::println);
+            }
+            // The world grows and shrinks; what leaks only grows.
+            long most = bytes(parts, 6, 10).max().orElseThrow(),
+                    least = bytes(parts, 16, 20).min().orElseThrow();
+            assertTrue(least < most + (1 << 20), least + " bytes are in use at the end, and " + most + " were before");
+        }
+        if (SECONDS > 60) System.out.println(common + " common hashes, the last " + hashes.get(common - 1));
+    }
+
+    /** What is in use in some parts. */
+    private static LongStream bytes(List<String> parts, int from, int to) {
+        return parts.subList(from - 1, to).stream().mapToLong(part -> Long.parseLong(part.split(" ", -1)[6]));
+    }
+}
