@@ -2,7 +2,6 @@ package yarts.physics;
 
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinTask;
-import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 
@@ -37,8 +36,8 @@ final class Team implements Crew {
     private void submit(Slice slice) {
         try {
             pool.execute(slice);
-        } catch (RejectedExecutionException e) {
-            // The pool is shut down: the caller takes it.
+        } catch (RuntimeException | Error e) {
+            // The pool is shut down, or has no thread and gets none: the caller takes it.
         }
     }
 

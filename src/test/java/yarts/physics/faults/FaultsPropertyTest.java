@@ -125,6 +125,10 @@ class FaultsPropertyTest {
 
         int ran = fault.stops() ? when + (after ? 1 : 0) : frame ? 4 : 1;
         assertEquals(tick + ran, world.getTick());
+        if (fault.stops() && !after) {
+            for (Unit unit : world)
+                assertEquals(0, Math.abs(unit.getFx()) + Math.abs(unit.getFy()), "of a step that was not");
+        }
         if (frame) {
             double waited = (fixed ? world.getAlpha() * 0.02 : 0) - waits;
             assertEquals(0.08, world.getTime() - time + world.getDroppedTime() - dropped + waited, 1e-12);
