@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 
 /** No memory for a call: it is as if it had not been made. By {@link OutOfMemoryMain}, in a JVM with a small heap. */
 class OutOfMemoryTest {
-    private static final int CALLS = 14;
+    private static final int CALLS = 16;
 
     private static List<String> failures(String... units) throws Exception {
         List<String> command = new ArrayList<>(List.of(
