@@ -171,14 +171,19 @@ class PendingImpulseTest {
         assertEquals(0.0, unit.getPendingImpulseY());
     }
 
-    /** Whichever component it is, and though nothing else of its new block has any. */
-    @ParameterizedTest
-    @CsvSource({"100, 0", "0, 100"})
-    void theLastUnitTakesItsOwnIntoAnotherBlock(double fx, double fy) {
+    private Unit pushedInAnotherBlock(double fx, double fy) {
         while (world.size() <= Blocks.BLOCK) world.add(new Unit(1));
         world.advance(0.1); // so that nothing is left of what there may have been
         Unit last = world.get(Blocks.BLOCK);
         last.applyForce(fx, fy);
+        return last;
+    }
+
+    /** Whichever component it is, and though nothing else of its new block has any. */
+    @ParameterizedTest
+    @CsvSource({"100, 0", "0, 100"})
+    void theLastUnitTakesItsOwnIntoAnotherBlock(double fx, double fy) {
+        Unit last = pushedInAnotherBlock(fx, fy);
         world.advance(0.05);
         long hash = world.stateHash();
         world.remove(unit);
@@ -194,10 +199,7 @@ class PendingImpulseTest {
     @ParameterizedTest
     @CsvSource({"100, 0", "0, 100"})
     void theLastUnitTakesAFramesForceIntoAnotherBlock(double fx, double fy) {
-        while (world.size() <= Blocks.BLOCK) world.add(new Unit(1));
-        world.advance(0.1); // so that nothing is left of what there may have been
-        Unit last = world.get(Blocks.BLOCK);
-        last.applyForce(fx, fy);
+        Unit last = pushedInAnotherBlock(fx, fy);
         world.setStepListener((w, dt) -> {
             if (w.getTick() == 2) w.remove(unit);
         });
