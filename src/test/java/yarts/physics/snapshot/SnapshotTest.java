@@ -311,5 +311,8 @@ class SnapshotTest {
                 remainder: 0 | 500000000
                 time: 0x0.0p0 (0.0) | 0x1.0p-1 (0.5)
                 """, now.save().difference(later.save()));
+        later.advance(0.1 / 3);
+        String lines = now.save().difference(later.save());
+        assertTrue(lines.matches("(?s).*\\nremainderError: 0x0\\.0p0 \\(0\\.0\\) \\| -?0x.*"), lines);
     }
 }
