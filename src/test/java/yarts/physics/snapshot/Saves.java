@@ -46,7 +46,7 @@ public final class Saves {
             return order(save).getLong(offset);
         }
 
-        Number get(byte[] save) {
+        public Number get(byte[] save) {
             ByteBuffer bytes = order(save);
             if (type.equals("double")) return bytes.getDouble(offset);
             if (type.equals("long")) return bytes.getLong(offset);

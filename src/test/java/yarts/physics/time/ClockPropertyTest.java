@@ -20,6 +20,7 @@ import net.jqwik.api.constraints.Size;
 import yarts.physics.Integrator;
 import yarts.physics.Timestep;
 import yarts.physics.World;
+import yarts.physics.snapshot.Saves;
 import yarts.physics.support.Doubles;
 
 /** No tick is lost or made up: what comes in is run, dropped, or still to come, exactly. */
@@ -231,5 +232,30 @@ class ClockPropertyTest {
     @Provide
     Arbitrary<Double> maxSteps() {
         return Doubles.logUniform(1e-6, 1e9);
+    }
+
+    /** Steps of any length, as they are summed: what rounding leaves out is carried along, as a save shows. */
+    @Property
+    void irregularTimeIsSummedToTheLastBit(@ForAll @Size(min = 2, max = 100) List<@From("lengths") Double> steps) {
+        World world = new World(Integrator.EULER, Timestep.variable(1));
+        BigDecimal exact = BigDecimal.ZERO;
+        for (double dt : steps) {
+            world.step(dt);
+            exact = exact.add(new BigDecimal(dt));
+        }
+        byte[] save = Saves.of(world);
+        double sum = (Double) Saves.places(0).get("time").get(save),
+                error = (Double) Saves.places(0).get("timeError").get(save);
+        double left = exact.subtract(new BigDecimal(sum))
+                .subtract(new BigDecimal(error))
+                .abs()
+                .doubleValue();
+        assertTrue(left <= steps.size() * steps.size() * Math.ulp(Math.ulp(sum)), () -> left + " s are lost of " + sum);
+        assertEquals(exact.doubleValue(), world.getTime(), Math.ulp(sum));
+    }
+
+    @Provide
+    Arbitrary<Double> lengths() {
+        return Doubles.logUniform(1e-9, 1e9);
     }
 }
