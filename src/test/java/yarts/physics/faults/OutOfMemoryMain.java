@@ -38,7 +38,7 @@ final class OutOfMemoryMain {
 
     static {
         CALLS.put("add", world -> world.add(recruit).getId());
-        CALLS.put("find", world -> (long) world.find(2).getX());
+        CALLS.put("find", world -> (long) world.find(world.get(0).getId()).getMass());
         CALLS.put("find and add", world -> {
             world.find(1);
             return world.find(world.add(recruit).getId()).getId();

@@ -24,7 +24,7 @@ import org.commonmark.renderer.html.HtmlRenderer;
 public final class Site {
     /** The order of the pages in the navigation. Others come last. */
     private static final List<String> ORDER = List.of(
-            "README guide cookbook engines physics jitters comparison limits lockstep snapshots benchmarks source"
+            "README guide cookbook engines physics jitters comparison limits lockstep snapshots benchmarks quality source"
                     .concat(" contributing releasing changelog")
                     .split(" "));
 
