@@ -39,22 +39,20 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
 
     void append(Unit unit, long id) {
         reserve(size + 1);
-        if (byId != null) index(unit, id);
+        Map<Long, Unit> index = byId;
+        byId = null; // until it is right again: what follows may fail
+        if (index != null) index.put(id, unit);
         unit.clearForces();
-        unit.move(table.append(), Table.row(size));
-        unit.columns.settle(unit.row);
-        unit.columns.id[unit.row] = id;
+        table.resize(size + 1);
+        Columns end = table.at(size);
+        int row = Table.row(size);
+        unit.columns.copyRow(unit.row, end, row);
+        end.settle(row);
+        end.id[row] = id;
+        unit.place(end, row); // the last that may fail
         list[size++] = unit;
+        byId = index;
         modCount++;
-    }
-
-    private void index(Unit unit, long id) {
-        try {
-            byId.put(id, unit);
-        } catch (Throwable e) {
-            byId = null; // it may know the unit by now
-            throw e;
-        }
     }
 
     /** The units with the ids of another table; a factory makes those that are missing here. */
@@ -124,19 +122,21 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
     }
 
     @Override
-    public Unit remove(int index) {
-        Unit unit = get(index);
+    public Unit remove(int i) {
+        Unit unit = get(i);
         Columns gap = unit.columns;
-        Long id = unit.getId();
-        unit.leave(null); // which may fail; nothing has changed by then
-        if (byId != null) byId.remove(id);
-        Unit last = list[--size];
-        list[size] = null;
+        Map<Long, Unit> index = byId;
+        byId = null; // until it is right again: what follows may fail
+        if (index != null) index.remove(unit.getId());
+        unit.leave(null);
+        Unit last = list[size - 1];
         if (last != unit) {
-            last.move(gap, Table.row(index));
-            list[index] = last;
+            last.move(gap, Table.row(i));
+            list[i] = last;
         }
+        list[--size] = null;
         table.removeLast();
+        byId = index;
         modCount++;
         return unit;
     }

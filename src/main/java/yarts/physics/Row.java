@@ -10,13 +10,17 @@ abstract class Row {
 
     /** A row outside any world. */
     Row() {
-        adopt(this);
+        synchronized (Row.class) {
+            Columns room = nursery();
+            place(room, room.end++);
+        }
     }
 
-    private static synchronized void adopt(Row unit) {
+    /** The nursery, with a row to spare. */
+    private static Columns nursery() {
         if (nursery.end == Columns.LANES)
             nursery = new Columns(0, Columns.LANES); // the old one goes with its last unit
-        unit.place(nursery, nursery.end++);
+        return nursery;
     }
 
     /** Is from now on what a row holds. */
@@ -31,14 +35,19 @@ abstract class Row {
         place(columns, row);
     }
 
-    /** Takes what it holds to a row outside any world, but for forces that have yet to act: in a room, or the nursery. */
+    /**
+     * Takes what it holds to a row outside any world, but for forces that have yet to act: in a room, or the nursery. It
+     * goes last of all: what fails before, for want of memory or of stack, leaves it in its world.
+     */
     void leave(Columns room) {
-        Columns was = columns;
-        int wasRow = row;
-        if (room == null) adopt(this);
-        else place(room, room.end++);
-        was.clearForces(wasRow);
-        was.copyRow(wasRow, columns, row);
+        synchronized (Row.class) {
+            Columns to = room == null ? nursery() : room;
+            int free = to.end++;
+            columns.clearForces(row);
+            columns.copyRow(row, to, free);
+            columns = to;
+            row = free;
+        }
     }
 
     /** Whether it is in a world. */

@@ -34,12 +34,6 @@ final class Table {
         return at(index).id[row(index)];
     }
 
-    /** Makes room for a row more, the last. */
-    Columns append() {
-        resize(size + 1);
-        return at(size - 1);
-    }
-
     /** Takes the last row away. */
     void removeLast() {
         size--;

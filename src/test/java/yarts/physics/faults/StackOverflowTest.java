@@ -1,11 +1,16 @@
 package yarts.physics.faults;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -22,7 +27,7 @@ import yarts.physics.support.Churn;
  * library can take back: but the world must not be stuck, its numbers are finite, and a save from before brings all back.
  */
 class StackOverflowTest {
-    private static final int NEAREST = 60;
+    private static final int DEPTHS = 200;
 
     static Stream<Arguments> calls() {
         return Stream.of(
@@ -40,61 +45,102 @@ class StackOverflowTest {
         for (int i = 0; i < Blocks.BLOCK + 9; i++) {
             world.add(new Unit(1 + i)).setFriction(i % 4).setVelocity(i, 1).applyForce(i, -i);
         }
+        world.find(1); // so that there is an index
         return world;
     }
 
-    /** Calls itself some times, and then something else. */
-    private static void dive(int depth, Runnable call) {
-        if (depth == 0) call.run();
-        else dive(depth - 1, call);
+    /** Goes to the end of the stack, and makes a call on another world at each frame of the way back. */
+    private static final class Dive {
+        private final Consumer<World> call;
+        private final List<World> worlds = new ArrayList<>();
+        private final List<Snapshot> saves = new ArrayList<>();
+        private int next, stopped;
+
+        Dive(Consumer<World> call) {
+            this.call = call;
+            call.accept(world()); // loads all classes
+            for (int i = 0; i < DEPTHS; i++) {
+                worlds.add(world());
+                saves.add(worlds.get(i).save());
+            }
+        }
+
+        void down() {
+            try {
+                down();
+            } catch (StackOverflowError e) {
+                // This is the end.
+            }
+            if (next == DEPTHS) return;
+            World world = worlds.get(next);
+            next++;
+            try {
+                call.accept(world);
+            } catch (StackOverflowError e) {
+                stopped++;
+            }
+        }
     }
 
-    private static boolean overflows(int depth, Runnable call) {
-        try {
-            dive(depth, call);
-            return false;
-        } catch (StackOverflowError e) {
-            return true;
-        }
+    private static void run(Dive dive) throws InterruptedException {
+        Thread thread = new Thread(null, dive::down, "little stack", 256 << 10);
+        thread.start();
+        thread.join();
+        assertEquals(DEPTHS, dive.next);
+        assertTrue(dive.stopped > 2 && dive.stopped < DEPTHS, "stopped " + dive.stopped + " times");
     }
 
     @ParameterizedTest(name = "{0}")
     @MethodSource("calls")
     void aWorldSurvivesACallWithoutStack(String name, Consumer<World> call) throws Exception {
-        Throwable[] failure = {null};
-        Thread thread = new Thread(null, () -> tryAll(call), "little stack", 256 << 10);
-        thread.setUncaughtExceptionHandler((t, e) -> failure[0] = e);
-        thread.start();
-        thread.join();
-        assertNull(failure[0], () -> name + ": " + failure[0]);
+        Dive dive = new Dive(call);
+        run(dive);
+        for (int i = 0; i < DEPTHS; i++) assertSurvived(dive.worlds.get(i), dive.saves.get(i));
     }
 
-    private static void tryAll(Consumer<World> call) {
-        for (int i = 0; i < 200; i++) call.accept(world()); // with all classes loaded
-        int deepest = 0;
-        while (!overflows(deepest, () -> {})) deepest += 10;
-        int stopped = 0;
-        for (int depth = deepest; depth > deepest - 10 * NEAREST && depth > 0; depth -= 3) {
-            World world = world();
-            Snapshot before = world.save();
-            long hash = world.stateHash();
-            if (overflows(depth, () -> call.accept(world))) stopped++;
-            for (int i = 0; i < 3; i++) {
-                world.step();
-                world.advance(0.03);
-            }
-            double[] xy = new double[2 * world.size() + 2];
-            world.copyVelocities(xy, 0);
-            world.copyPositions(xy, 0, 1);
-            for (double v : xy) assertTrue(Double.isFinite(v));
-            world.restore(before);
-            assertEquals(hash, world.stateHash());
-            World same = world();
-            assertEquals(Churn.bits(same), Churn.bits(world));
+    /** It is either in the world or alone; what it is told is told to no other. */
+    @Test
+    void aUnitThatCouldNotBeAddedIsAlone() throws Exception {
+        Map<World, Unit> recruits = new IdentityHashMap<>();
+        Dive dive = new Dive(world -> {
+            Unit recruit = recruits.get(world);
+            if (recruit != null) world.add(recruit);
+        });
+        for (World world : dive.worlds) recruits.put(world, new Unit(1).setPosition(1, 2));
+        run(dive);
+        for (World world : dive.worlds) {
+            Unit recruit = recruits.get(world);
+            if (recruit.getWorld() != null) continue;
+            Unit other = world.add(new Unit(1));
+            recruit.setPosition(3, 4).applyForce(5, 6);
+            assertEquals(0, other.getX());
+            assertEquals(0, other.getFx());
             world.step();
-            same.step();
-            assertEquals(same.stateHash(), world.stateHash(), "and it goes on from there");
+            assertEquals(3, recruit.getX());
+            long id = other.getId() + 1;
+            assertEquals(id, world.add(recruit).getId());
+            assertSame(recruit, world.find(id));
+            assertSame(other, world.find(id - 1));
+            assertEquals(world.size() - 1, world.units().indexOf(recruit));
         }
-        assertTrue(stopped > 10, "stopped only " + stopped + " times");
+    }
+
+    private static void assertSurvived(World world, Snapshot before) {
+        for (int i = 0; i < 3; i++) {
+            world.step();
+            world.advance(0.03);
+        }
+        double[] xy = new double[2 * world.size() + 2];
+        world.copyVelocities(xy, 0);
+        world.copyPositions(xy, 0, 1);
+        for (double v : xy) assertTrue(Double.isFinite(v));
+        world.restore(before);
+        World same = world();
+        assertEquals(same.stateHash(), world.stateHash());
+        assertEquals(Churn.bits(same), Churn.bits(world));
+        for (Unit unit : world) assertSame(unit, world.find(unit.getId()));
+        world.step();
+        same.step();
+        assertEquals(same.stateHash(), world.stateHash(), "and it goes on from there");
     }
 }
