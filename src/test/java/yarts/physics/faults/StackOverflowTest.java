@@ -28,7 +28,7 @@ import yarts.physics.support.Churn;
  * library can take back: but the world must not be stuck, its numbers are finite, and a save from before brings all back.
  */
 class StackOverflowTest {
-    private static final int DEPTHS = 200;
+    private static final int DEPTHS = 100;
 
     static Stream<Arguments> calls() {
         return Stream.of(
@@ -95,9 +95,11 @@ class StackOverflowTest {
     @ParameterizedTest(name = "{0}")
     @MethodSource("calls")
     void aWorldSurvivesACallWithoutStack(String name, Consumer<World> call) throws Exception {
-        Dive dive = new Dive(call);
-        run(dive);
-        for (int i = 0; i < DEPTHS; i++) assertSurvived(dive.worlds.get(i), dive.saves.get(i));
+        for (int i = 0; i < 3; i++) { // as it is compiled, it stops elsewhere
+            Dive dive = new Dive(call);
+            run(dive);
+            for (int k = 0; k < DEPTHS; k++) assertSurvived(dive.worlds.get(k), dive.saves.get(k));
+        }
     }
 
     /** It is either in the world or alone; what it is told is told to no other. */

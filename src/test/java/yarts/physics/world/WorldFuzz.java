@@ -1,6 +1,7 @@
 package yarts.physics.world;
 
 import java.nio.ByteBuffer;
+import java.util.function.Consumer;
 import yarts.physics.Blocks;
 import yarts.physics.Integrator;
 import yarts.physics.Unit;
@@ -81,7 +82,7 @@ public final class WorldFuzz {
         for (; n > 0 && units < MOST_UNITS; n--, units++) twins.addNew(mass, friction);
     }
 
-    private void change(java.util.function.Consumer<Unit> change) {
+    private void change(Consumer<Unit> change) {
         twins.change(octet(), change);
     }
 
