@@ -89,17 +89,20 @@ class StackOverflowTest {
         thread.start();
         thread.join();
         assertEquals(DEPTHS, dive.next);
-        assertTrue(dive.stopped > 2 && dive.stopped < DEPTHS, "stopped " + dive.stopped + " times");
+        assertTrue(dive.stopped < DEPTHS, "it never came through");
     }
 
     @ParameterizedTest(name = "{0}")
     @MethodSource("calls")
     void aWorldSurvivesACallWithoutStack(String name, Consumer<World> call) throws Exception {
+        int stopped = 0;
         for (int i = 0; i < 3; i++) { // as it is compiled, it stops elsewhere
             Dive dive = new Dive(call);
             run(dive);
+            stopped += dive.stopped;
             for (int k = 0; k < DEPTHS; k++) assertSurvived(dive.worlds.get(k), dive.saves.get(k));
         }
+        assertTrue(stopped > 0, "it was never stopped");
     }
 
     /** It is either in the world or alone; what it is told is told to no other. */
