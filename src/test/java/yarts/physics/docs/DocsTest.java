@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.DynamicTest.dynamicTest;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.lang.reflect.AnnotatedElement;
 import java.lang.reflect.Field;
 import java.lang.reflect.Method;
 import java.net.URI;
@@ -32,6 +33,8 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.platform.commons.annotation.Testable;
+import org.junit.platform.commons.support.AnnotationSupport;
 import yarts.physics.Unit;
 
 /**
@@ -108,12 +111,21 @@ class DocsTest {
         }
     }
 
-    /** Of the tests that the page on quality names, and of the profiles that any page has in its commands. */
+    /** Of what the page on quality names, and of the tests and profiles that any page has in its commands. */
     @Test
     void everyTestAndProfileThatIsNamedExists() throws Exception {
-        List<String> tests = find(NAME, Files.readString(Path.of("docs/quality.md")));
-        assertTrue(tests.size() > 20, "names too little: " + tests);
-        for (String name : tests) assertTrue(isCode(name), name);
+        for (String name : find(NAME, Files.readString(Path.of("docs/quality.md")))) assertTrue(isCode(name), name);
+        int commands = 0;
+        for (Path page : pages()) {
+            for (String command : find(Pattern.compile("(mvn[^`\n]* -Dtest=[\\w,]+)"), Files.readString(page))) {
+                boolean asLong = command.contains("-Plong");
+                for (String name : command.replaceFirst(".*-Dtest=", "").split(",")) {
+                    assertTrue(hasTests(type(name), asLong), page + ": " + command + " would run nothing");
+                }
+                commands++;
+            }
+        }
+        assertTrue(commands > 20, "only " + commands + " commands");
         List<String> had =
                 find(Pattern.compile("<profile>\\s*(?:<!--.*?-->\\s*)*<id>(.*?)</id>", Pattern.DOTALL), poms());
         for (Path page : pages()) {
@@ -153,6 +165,18 @@ class DocsTest {
 
     private static List<String> find(Pattern pattern, String text) {
         return pattern.matcher(text).results().map(m -> m.group(1)).collect(Collectors.toList());
+    }
+
+    /** Whether a class has tests that run with the profile for long ones, or without it. */
+    private static boolean hasTests(Class<?> type, boolean asLong) {
+        return Stream.of(type.getDeclaredMethods())
+                .filter(method -> AnnotationSupport.isAnnotated(method, Testable.class))
+                .anyMatch(method -> asLong == (isLong(type) || isLong(method)));
+    }
+
+    /** By either library's tag. */
+    private static boolean isLong(AnnotatedElement tests) {
+        return Stream.of(tests.getAnnotations()).anyMatch(a -> a.toString().matches(".*\\.Tag\\(.*\"long\".*"));
     }
 
     private static boolean isCode(String name) throws Exception {
