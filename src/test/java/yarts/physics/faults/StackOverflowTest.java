@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -67,6 +66,7 @@ class StackOverflowTest {
             }
         }
 
+        @SuppressWarnings("InfiniteRecursion") // that is what it is for
         void down() {
             try {
                 down();
@@ -108,7 +108,7 @@ class StackOverflowTest {
     /** It is either in the world or alone; what it is told is told to no other. */
     @Test
     void aUnitThatCouldNotBeAddedIsAlone() throws Exception {
-        Map<World, Unit> recruits = new IdentityHashMap<>();
+        IdentityHashMap<World, Unit> recruits = new IdentityHashMap<>();
         Dive dive = new Dive(world -> {
             Unit recruit = recruits.get(world);
             if (recruit != null) world.add(recruit);
