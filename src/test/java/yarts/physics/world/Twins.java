@@ -8,10 +8,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.Iterator;
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.ForkJoinPool;
@@ -277,11 +278,13 @@ final class Twins {
     void load(int pick) {
         if (saves.isEmpty()) return;
         Save save = saves.get(pick % saves.size());
+        Map<Long, Unit> here = new HashMap<>();
+        for (Twin twin : inside) here.put(twin.id, twin.unit);
         List<Unit> units = new ArrayList<>(), made = new ArrayList<>();
         for (Twin twin : save.inside) {
-            Optional<Twin> here = inside.stream().filter(t -> t.id == twin.id).findFirst();
-            units.add(here.map(t -> t.unit).orElseGet(() -> new Unit(3)));
-            if (here.isEmpty()) made.add(units.get(units.size() - 1));
+            Unit unit = here.get(twin.id);
+            if (unit == null) made.add(unit = new Unit(3));
+            units.add(unit);
         }
         Iterator<Unit> factory = made.iterator();
         world.restore(Snapshot.fromBytes(save.snapshot.toBytes()), id -> factory.next());
