@@ -283,7 +283,10 @@ final class Twins {
         List<Unit> units = new ArrayList<>(), made = new ArrayList<>();
         for (Twin twin : save.inside) {
             Unit unit = here.get(twin.id);
-            if (unit == null) made.add(unit = new Unit(3));
+            if (unit == null) {
+                unit = new Unit(3);
+                made.add(unit);
+            }
             units.add(unit);
         }
         Iterator<Unit> factory = made.iterator();
