@@ -4,6 +4,7 @@ import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Fork;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.infra.Blackhole;
 import yarts.physics.Integrator;
 import yarts.physics.Snapshot;
 import yarts.physics.Unit;
@@ -16,6 +17,9 @@ public class GameBenchmark extends Workload {
 
     private static final double FRAME = 1 / 144.0; // s
 
+    /** The steps that are repeated by a rollback. */
+    private static final int ROLLED_BACK = 8;
+
     @Param({"1000", "10000", "100000", "1000000"})
     public int units;
 
@@ -25,7 +29,8 @@ public class GameBenchmark extends Workload {
     private int[] victims;
     private int next;
     private float[] xy;
-    private double[] inFull;
+    private double[] inFull, forces;
+    private long id;
     private final Snapshot snapshot = new Snapshot();
 
     @Setup
@@ -37,6 +42,8 @@ public class GameBenchmark extends Workload {
         victims = Army.shuffled(units).stream().mapToInt(i -> i).toArray();
         xy = new float[2 * units];
         inFull = new double[2 * units];
+        forces = forces(units + ROLLED_BACK);
+        id = world.get(units / 2).getId();
         world.save(snapshot);
         collect();
     }
@@ -48,6 +55,13 @@ public class GameBenchmark extends Workload {
             push(world);
             world.advance(FRAME);
         }
+    }
+
+    /** The same at 60 frames a second: a step in every frame, and half of the frame's forces wait for the next. */
+    @Benchmark
+    public void advanceAt60() {
+        push(world);
+        world.advance(DT);
     }
 
     /** As many forces and steps as in advance. */
@@ -102,6 +116,21 @@ public class GameBenchmark extends Workload {
         for (Unit unit : shuffled) world.add(unit);
     }
 
+    /** Units that are in no world, one after another. */
+    @Benchmark
+    public void create(Blackhole sink) {
+        for (int i = 0; i < units; i++) sink.consume(new Unit(army.mass[i]));
+    }
+
+    /** Removes as many units as there are, in random order, and adds a new one after each. */
+    @Benchmark
+    public void replace() {
+        for (int i = 0; i < units; i++) {
+            world.remove(world.get(victims[i]));
+            world.add(new Unit(army.mass[i]));
+        }
+    }
+
     /** The whole world into a snapshot. */
     @Benchmark
     public void save() {
@@ -112,6 +141,31 @@ public class GameBenchmark extends Workload {
     @Benchmark
     public void restore() {
         world.restore(snapshot);
+    }
+
+    /** What a lockstep game with rollback does in a frame: save, 8 steps with forces on all units, restore, find. */
+    @Benchmark
+    public Unit rollback() {
+        world.save(snapshot);
+        for (int i = 0; i < ROLLED_BACK; i++) {
+            world.applyForces(forces, 0);
+            world.step(DT);
+        }
+        world.restore(snapshot);
+        return world.find(id);
+    }
+
+    /** The same, and a unit is added after each step; the restore removes these units. */
+    @Benchmark
+    public Unit rollbackWithSpawns() {
+        world.save(snapshot);
+        for (int i = 0; i < ROLLED_BACK; i++) {
+            world.applyForces(forces, 0);
+            world.step(DT);
+            world.add(new Unit(1));
+        }
+        world.restore(snapshot);
+        return world.find(id);
     }
 
     /** A hash of all of the world. */

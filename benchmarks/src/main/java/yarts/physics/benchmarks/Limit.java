@@ -1,19 +1,23 @@
 package yarts.physics.benchmarks;
 
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
 import java.util.function.IntConsumer;
 import yarts.physics.Integrator;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
 /**
- * Seven numbers for each size of world, in ns per unit, to set beside those of a plain loop in C: a step alone
+ * Seven numbers for each size of world, in ns per unit, to compare with those of plain loops in C: a step alone
  * ("cached"), a step with another dt than the one before ("computed"), a force on one unit in a thousand and a step
- * ("sparse"), a force on every unit ("force"), that and a step ("both"), the same by one call for all forces ("bulk"),
- * and a step of a world at rest ("rest"). Medians of nine rounds, each of eight million units or so. No JMH: it prints
- * within seconds, so that it and the other program can take turns.
+ * ("sparse"), a force on every unit through its handle ("force"), that and a step ("both"), the same with one call for all
+ * forces ("bulk"), and a step of a world at rest ("rest"). A C program that does all of a step's work (lag, rest, an exact
+ * cap, previous positions) is to be compared with "both". Medians of nine rounds, each of about eight million units. No
+ * JMH: it prints within seconds, so that it and the other program can take turns.
  */
 final class Limit {
     private static final int ROUNDS = 9;
@@ -22,50 +26,55 @@ final class Limit {
 
     private Limit() {}
 
-    /** Measures; the second argument may name an integrator other than EULER. */
+    /** Measures. The second argument may name an integrator other than EULER; the rest, the numbers to print. */
     static void main(String[] args) {
         Integrator integrator =
                 args.length > 1 ? Integrator.valueOf(args[1].toUpperCase(Locale.ROOT)) : Integrator.EULER;
-        measure(integrator, 10_000); // for the compiler, which sees every loop before it is measured
+        Set<String> wanted = args.length > 2 ? Set.of(Arrays.copyOfRange(args, 2, args.length)) : Set.of();
+        measure(integrator, 10_000, Set.of()); // for the compiler, which sees every loop before it is measured
         for (int units : new int[] {1_000, 10_000, 100_000, 1_000_000}) {
-            System.out.println(measure(integrator, units));
+            System.out.println(measure(integrator, units, wanted));
         }
     }
 
-    private static String measure(Integrator integrator, int units) {
+    private static String measure(Integrator integrator, int units, Set<String> wanted) {
         Army army = Army.of(units);
         World world = army.world(integrator), resting = army.world(integrator);
         for (Unit unit : resting) unit.setVelocity(0, 0);
         List<Unit> few = Army.oneInAThousand(world);
         double[] forces = Workload.forces(units);
         Workload.collect();
-        String[] names = {"cached", "computed", "sparse", "force", "both", "bulk", "rest"};
-        double[][] ns = new double[names.length][ROUNDS];
-        for (int r = -WARM_UP; r < ROUNDS; r++) {
-            int i = Math.max(r, 0);
-            ns[0][i] = time(units, k -> step(army, world, DT));
-            ns[1][i] = time(units, k -> step(army, world, k % 2 == 0 ? DT / 2 : DT));
-            ns[2][i] = time(units, k -> {
-                Workload.push(few);
-                step(army, world, DT);
-            });
-            ns[3][i] = time(units, k -> Workload.push(world));
-            world.step(0); // uses the forces up, and the next one is as the steps measured
+
+        Map<String, IntConsumer> works = new LinkedHashMap<>();
+        works.put("cached", k -> step(army, world, DT));
+        works.put("computed", k -> step(army, world, k % 2 == 0 ? DT / 2 : DT));
+        works.put("sparse", k -> {
+            Workload.push(few);
+            step(army, world, DT);
+        });
+        works.put("force", k -> Workload.push(world));
+        works.put("both", k -> {
+            Workload.push(world);
             world.step(DT);
-            ns[4][i] = time(units, k -> {
-                Workload.push(world);
+        });
+        works.put("bulk", k -> {
+            world.applyForces(forces, 0);
+            world.step(DT);
+        });
+        works.put("rest", k -> resting.step(DT));
+        if (!wanted.isEmpty()) works.keySet().retainAll(wanted);
+
+        Map<String, double[]> ns = new LinkedHashMap<>();
+        for (String name : works.keySet()) ns.put(name, new double[ROUNDS]);
+        for (int r = -WARM_UP; r < ROUNDS; r++) {
+            for (String name : works.keySet()) {
+                ns.get(name)[Math.max(r, 0)] = time(units, works.get(name));
+                world.step(0); // discards the forces that wait, and the next step is as those measured
                 world.step(DT);
-            });
-            ns[5][i] = time(units, k -> {
-                world.applyForces(forces, 0);
-                world.step(DT);
-            });
-            ns[6][i] = time(units, k -> resting.step(DT));
+            }
         }
         StringBuilder line = new StringBuilder("units " + units);
-        for (int k = 0; k < names.length; k++) {
-            line.append(String.format(Locale.ROOT, " %s %.2f", names[k], median(ns[k])));
-        }
+        ns.forEach((name, all) -> line.append(String.format(Locale.ROOT, " %s %.2f", name, median(all))));
         return line.toString();
     }
 

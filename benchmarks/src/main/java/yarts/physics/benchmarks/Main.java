@@ -20,8 +20,10 @@ import org.openjdk.jmh.runner.options.TimeValue;
  * java -jar benchmarks/target/benchmarks.jar all     everything; writes benchmarks/results/<os>-<cpu>-jdk<version>
  * java -jar benchmarks/target/benchmarks.jar quick   10,000 units, briefly; writes to benchmarks/target
  * java -jar benchmarks/target/benchmarks.jar report  benchmarks/results into docs/benchmarks.md and its plot
- * java -jar benchmarks/target/benchmarks.jar limit   seven numbers to set beside those of a loop in C
+ * java -jar benchmarks/target/benchmarks.jar limit   seven numbers to compare with those of a loop in C
  * }</pre>
+ *
+ * <p>An integrator and some of the numbers may follow {@code limit}: {@code limit euler both}.
  *
  * <p>JMH's options may follow {@code all} and {@code quick}. Anything else is JMH's own: {@code -h} lists its options.
  */

@@ -70,7 +70,15 @@ final class Report {
 
     private static List<Line> workloads() {
         List<Line> lines = new ArrayList<>();
+        lines.add(new Line("force on all, no step", "StepBenchmark.force", "integrator", "EULER"));
+        lines.add(new Line("the same after each step", "StepBenchmark.forceAfterStep", "integrator", "EULER"));
+        lines.add(new Line(
+                "force on all by the world's iterator, no step",
+                "StepBenchmark.forceByIterator",
+                "integrator",
+                "EULER"));
         lines.addAll(ours("force on all by `applyForces` and step, ", "bulk"));
+        lines.addAll(ours("force on two in each tile and step, ", "twoInEachTile"));
         lines.addAll(ours("force on one in a thousand and step, ", "oneInAThousand"));
         lines.addAll(ours("step alone, ", "step"));
         lines.addAll(ours("dt changes every step, ", "changingDt"));
@@ -79,6 +87,7 @@ final class Report {
         }
         lines.add(new Line("12 times a force on all, 5 `step`s", "GameBenchmark.steps"));
         lines.add(new Line("the same in 12 `advance`s of 1/144 s", "GameBenchmark.advance"));
+        lines.add(new Line("a force on all and an `advance` of 1/60 s", "GameBenchmark.advanceAt60"));
         lines.add(new Line("12 times a force on one unit, 5 `step`s", "GameBenchmark.stepsAlone"));
         lines.add(new Line("the same in 12 `advance`s of 1/144 s", "GameBenchmark.advanceAlone"));
         lines.add(new Line("all at rest, step alone", "UnitsBenchmark.atRest"));
@@ -89,8 +98,13 @@ final class Report {
         lines.add(new Line("the same, forces in shuffled order", "UnitsBenchmark.shuffled"));
         lines.add(new Line("step, 1 % removed and added", "GameBenchmark.churn"));
         lines.add(new Line("remove and add, no step", "GameBenchmark.removeAndAdd"));
+        lines.add(new Line("remove, and add a new unit", "GameBenchmark.replace"));
+        lines.add(new Line("`new Unit`", "GameBenchmark.create"));
         lines.add(new Line("`save`", "GameBenchmark.save"));
         lines.add(new Line("`restore`", "GameBenchmark.restore"));
+        lines.add(new Line("one `restore`, after 400 others", "RestoreBenchmark.after400"));
+        lines.add(new Line("`save`, 8 steps with forces, `restore`, `find`", "GameBenchmark.rollback"));
+        lines.add(new Line("the same, 8 units added between", "GameBenchmark.rollbackWithSpawns"));
         lines.add(new Line("`stateHash`", "GameBenchmark.stateHash"));
         lines.add(new Line("positions, by getters", "GameBenchmark.getters"));
         lines.add(new Line("positions, by `copyPositions`", "GameBenchmark.copyPositions"));
@@ -132,6 +146,8 @@ final class Report {
                     line.in(results, GAME).map(r -> bytes(r.bytes())).orElse(""));
         }
 
+        changes(out, results);
+
         out.append("\nThe step alone, 10,000 units, with and without HotSpot's vectoriser: ns per unit and step.\n\n");
         out.append("|  | vectorised | `-XX:-UseSuperWord` | ratio |\n| --- | --: | --: | --: |\n");
         for (Integrator integrator : Integrator.values()) {
@@ -149,6 +165,22 @@ final class Report {
             }
         }
         return out.append('\n').toString();
+    }
+
+    private static void changes(StringBuilder out, Results results) {
+        List<String> names = new ArrayList<>(), cells = new ArrayList<>();
+        for (ChangesBenchmark.Change change : ChangesBenchmark.Change.values()) {
+            results.find("ChangesBenchmark.tick", ChangesBenchmark.WORLD, "change", change.name())
+                    .ifPresent(row -> {
+                        names.add(change.label);
+                        cells.add(spread(row));
+                    });
+        }
+        if (names.isEmpty()) return;
+        out.append("\nTen changes before each step, 5,000 units, EXACT: ns per unit and step, median (quartiles).\n\n");
+        cells(out, names.toArray(new String[0]));
+        cells(out, names.stream().map(name -> "--:").toArray(String[]::new));
+        cells(out, cells.toArray(new String[0]));
     }
 
     private static String lacks(Line line) {

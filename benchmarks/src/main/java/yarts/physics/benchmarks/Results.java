@@ -96,9 +96,14 @@ final class Results {
                 .findFirst();
     }
 
-    /** The numbers of units that were measured. */
+    /** The numbers of units that were measured by benchmarks that are measured with several. */
     int[] sizes() {
-        return rows.stream().mapToInt(Row::units).distinct().sorted().toArray();
+        return rows.stream()
+                .filter(row -> !row.benchmark.startsWith("ChangesBenchmark."))
+                .mapToInt(Row::units)
+                .distinct()
+                .sorted()
+                .toArray();
     }
 
     String name() {

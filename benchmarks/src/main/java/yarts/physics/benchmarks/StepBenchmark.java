@@ -1,15 +1,22 @@
 package yarts.physics.benchmarks;
 
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.Level;
 import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
 import yarts.physics.Integrator;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** A step of a world, by each integrator. */
+/** A step of a world, by each integrator, and the forces before it. */
 public class StepBenchmark extends Workload {
+    private static final int TILE = 512; // rows
+
     @Param({"1000", "10000", "100000", "1000000"})
     public int units;
 
@@ -18,17 +25,51 @@ public class StepBenchmark extends Workload {
 
     private Army army;
     private World world;
-    private List<Unit> few;
+    private Unit[] handles;
+    private List<Unit> few, twoInEachTile;
     private double[] forces;
     private int tick;
+
+    /** Steps the world before each call. */
+    @State(Scope.Thread)
+    public static class Stepped {
+        /** Not measured. */
+        @Setup(Level.Invocation)
+        public void step(StepBenchmark benchmark) {
+            benchmark.world.step(DT);
+        }
+    }
 
     @Setup
     public void create() {
         army = Army.of(units);
         world = army.world(integrator);
+        handles = world.units().toArray(new Unit[0]);
         few = Army.oneInAThousand(world);
+        twoInEachTile = IntStream.range(0, units)
+                .filter(i -> i % TILE < 2)
+                .mapToObj(world::get)
+                .collect(Collectors.toList());
         forces = forces(units);
         collect();
+    }
+
+    /** A force on every unit, without a step: the forces add up. */
+    @Benchmark
+    public void force() {
+        for (Unit unit : handles) unit.applyForce(FX, FY);
+    }
+
+    /** The same, by the world's iterator. */
+    @Benchmark
+    public void forceByIterator() {
+        push(world);
+    }
+
+    /** As force, after a step, as in a game: the step is not measured, but has used the caches. */
+    @Benchmark
+    public void forceAfterStep(Stepped stepped) {
+        force();
     }
 
     /** What a game does: a force on every unit, and a step. */
@@ -50,6 +91,13 @@ public class StepBenchmark extends Workload {
     public void oneInAThousand() {
         army.keepMoving(world);
         push(few);
+        world.step(DT);
+    }
+
+    /** A force on two units in every tile, and a step. All forces are integrated, but few are applied. */
+    @Benchmark
+    public void twoInEachTile() {
+        push(twoInEachTile);
         world.step(DT);
     }
 

@@ -7,6 +7,8 @@ import java.util.Random;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Setup;
+import yarts.physics.Integrator;
+import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
@@ -15,9 +17,12 @@ public class UnitsBenchmark extends Workload {
     @Param({"1000", "10000", "100000", "1000000"})
     public int units;
 
-    private final World resting = new World(), halfCapped = new World(), uncapped = new World();
-    private final World scattered = new World();
+    private final World resting = world(), halfCapped = world(), uncapped = world(), scattered = world();
     private List<Unit> inOrder, shuffled;
+
+    private static World world() {
+        return new World(Integrator.EULER, Timestep.fixed(60));
+    }
 
     @Setup
     public void create() {
