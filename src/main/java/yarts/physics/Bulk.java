@@ -1,25 +1,19 @@
 package yarts.physics;
 
-import java.util.Objects;
-
-/** All units of a table at once, as x0, y0, x1, y1, … in an array of the game's, in their order. */
+/** Reads and pushes all units of a table at once: x0, y0, x1, y1, … in an array of the game's, in the order of the rows. */
 final class Bulk {
     private Bulk() {}
 
-    /** Between a position and the next, as far as alpha says; exactly the next one at 1. */
+    /** The position at alpha between the previous one, 0, and the next one, exactly at 1. */
     static double between(double previous, double next, double alpha) {
         return alpha == 1 ? next : previous + (next - previous) * alpha;
     }
 
-    static void copyPositions(Table table, float[] xy, int offset, double alpha) {
-        check(table, xy.length, offset);
-        for (int k = 0; k < table.blocks(); k++) {
-            Columns c = table.block(k);
-            int j = offset + 2 * (c.origin + c.start);
-            for (int i = c.start; i < c.end; i++, j += 2) {
-                xy[j] = narrow(between(c.previousX[i], c.x[i], alpha));
-                xy[j + 1] = narrow(between(c.previousY[i], c.y[i], alpha));
-            }
+    static void copyPositions(Table t, float[] xy, int offset, double alpha) {
+        check(t, xy.length, offset);
+        for (int i = 0, j = offset; i < t.size; i++, j += 2) {
+            xy[j] = narrow(between(t.previousX[i], t.x[i], alpha));
+            xy[j + 1] = narrow(between(t.previousY[i], t.y[i], alpha));
         }
     }
 
@@ -27,47 +21,44 @@ final class Bulk {
         return (float) Math.max(-Float.MAX_VALUE, Math.min(Float.MAX_VALUE, v));
     }
 
-    static void copyPositions(Table table, double[] xy, int offset, double alpha) {
-        check(table, xy.length, offset);
-        for (int k = 0; k < table.blocks(); k++) {
-            Columns c = table.block(k);
-            int j = offset + 2 * (c.origin + c.start);
-            for (int i = c.start; i < c.end; i++, j += 2) {
-                xy[j] = between(c.previousX[i], c.x[i], alpha);
-                xy[j + 1] = between(c.previousY[i], c.y[i], alpha);
-            }
+    static void copyPositions(Table t, double[] xy, int offset, double alpha) {
+        check(t, xy.length, offset);
+        for (int i = 0, j = offset; i < t.size; i++, j += 2) {
+            xy[j] = between(t.previousX[i], t.x[i], alpha);
+            xy[j + 1] = between(t.previousY[i], t.y[i], alpha);
         }
     }
 
-    static void copyVelocities(Table table, double[] xy, int offset) {
-        check(table, xy.length, offset);
-        for (int k = 0; k < table.blocks(); k++) {
-            Columns c = table.block(k);
-            int j = offset + 2 * (c.origin + c.start);
-            for (int i = c.start; i < c.end; i++, j += 2) {
-                xy[j] = c.vx[i];
-                xy[j + 1] = c.vy[i];
-            }
+    static void copyVelocities(Table t, double[] xy, int offset) {
+        check(t, xy.length, offset);
+        for (int i = 0, j = offset; i < t.size; i++, j += 2) {
+            xy[j] = t.vx[i];
+            xy[j + 1] = t.vy[i];
         }
     }
 
-    static void applyForces(Table table, double[] xy, int offset) {
-        check(table, xy.length, offset);
-        int end = offset + 2 * table.size();
+    static void applyForces(Table t, double[] xy, int offset) {
+        check(t, xy.length, offset);
+        int end = offset + 2 * t.size;
         for (int j = offset; j < end; j++) if (!Check.isPush(xy[j])) Check.push("xy[" + j + "]", xy[j]);
-        for (int k = 0; k < table.blocks(); k++) {
-            Columns c = table.block(k);
-            int j = offset + 2 * (c.origin + c.start);
-            for (int i = c.start; i < c.end; i++, j += 2) {
-                c.fx[i] += xy[j];
-                c.fy[i] += xy[j + 1];
-            }
-            for (int i = c.start; c.still && i < c.end; i++) if (c.frozen[i] != 0) c.clearForces(i);
-            c.pushed = Columns.MANY;
+        for (int k = 0; k < t.tiles(); k++) {
+            add(t.fx, t.fy, xy, offset, Table.start(k), t.end(k));
+            t.pushed[k] = true;
         }
     }
 
-    private static void check(Table table, int length, int offset) {
-        Objects.checkFromIndexSize(offset, 2 * table.size(), length);
+    private static void add(double[] fx, double[] fy, double[] xy, int offset, int start, int end) {
+        for (int i = start; i < end; i++) {
+            fx[i] += xy[offset + 2 * i];
+            fy[i] += xy[offset + 2 * i + 1];
+        }
+    }
+
+    private static void check(Table t, int length, int offset) {
+        int needed = 2 * t.size;
+        if (offset < 0 || offset > length - needed) {
+            throw new IndexOutOfBoundsException("xy must have 2 elements for each of " + t.size + " units, " + needed
+                    + " from offset " + offset + ", but its length is " + length);
+        }
     }
 }

@@ -1,6 +1,6 @@
 package yarts.physics;
 
-/** The doors of the library: what is accepted, and what is said of the rest. Every comparison fails for NaN. */
+/** Argument checks and their messages. NaN fails every comparison. */
 final class Check {
     /** Longest dt and elapsed; in seconds (32 years). */
     static final double MAX_TIME = 1e9;
@@ -9,12 +9,12 @@ final class Check {
     static final double MIN_MASS = 1e-50;
 
     /**
-     * Largest force and impulse component, friction and mass; in SI measures. The limits are such that 2^63 calls of
-     * applyForce, stepped by MAX_TIME, leave a velocity whose square does not overflow.
+     * Largest force and impulse component, friction and mass; in SI units. With these limits, the square of the velocity
+     * does not overflow even after 2^63 calls of applyForce and a step of MAX_TIME.
      */
     static final double MAX = 1e50;
 
-    /** Volatile, so that no compiler works out in its own thread what they become. */
+    /** Volatile, so that no compiler evaluates the test in its own thread. */
     private static volatile double smallestNormal = Double.MIN_NORMAL, smallest = Double.MIN_VALUE;
 
     private Check() {}
@@ -67,7 +67,7 @@ final class Check {
         return alpha;
     }
 
-    /** Refuses a thread that does not do Java's arithmetic, since native code has changed its floating-point mode. */
+    /** Throws if native code has changed the floating-point mode of this thread, so that it does not do Java's arithmetic. */
     static void arithmetic() {
         boolean results = Double.doubleToRawLongBits(smallestNormal / 2) == 0;
         boolean operands = Double.doubleToRawLongBits(smallest * 0x1p100) == 0;

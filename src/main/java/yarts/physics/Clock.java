@@ -1,17 +1,20 @@
 package yarts.physics;
 
 /**
- * Where a world stands in time.
+ * The time of a world.
  *
- * <p>Fixed steps are counted, never summed: time is counted in {@link #STEP} parts of a step. Whole nanoseconds times the
- * rate are a whole number of these. Other times are rounded to one, and the error is carried on to the next. Time that is
- * not a whole number of fixed steps is summed with the rounding error carried along.
+ * <p>Fixed steps are counted, never summed. Elapsed time that waits for a step is counted in parts of a step, of which
+ * there are {@link #STEP}. Whole nanoseconds are a whole number of parts, because the rate is an integer. Other times are
+ * rounded to a part, and the error is carried over. Time that is not a whole number of fixed steps is summed together
+ * with its rounding error.
+ *
+ * <p>With variable steps no time waits, except after a change from fixed steps. It is counted as if the rate were 1.
  */
 final class Clock {
-    /** Parts of a step; and since the rate is an integer, of a nanosecond, too. */
+    /** Parts of a step. */
     private static final long STEP = 1_000_000_000;
 
-    /** The largest float below 1: a renderer that narrows alpha to float still gets less than 1. */
+    /** The largest float below 1: a renderer that converts alpha to float still gets less than 1. */
     private static final double MAX_ALPHA = 0x1.fffffep-1;
 
     private static final long MAX_TICKS = Long.MAX_VALUE / 4;
@@ -30,18 +33,21 @@ final class Clock {
         "droppedTimeError"
     };
 
-    /** From here on in {@link #state} the longs are the bits of doubles. */
+    /** The index in {@link #state} from which the longs are the bits of doubles. */
     static final int DOUBLES = 4;
 
     private Timestep timestep;
     private long tick;
-    /** Of the ticks, those of exactly 1/rate seconds. */
+    /** The ticks of exactly 1/rate seconds. */
     private long regular;
-    /** Elapsed time that no step has covered yet; in parts of a step, less than STEP. */
+    /**
+     * Elapsed time that no step has covered yet; in parts of a step. It is less than a second, and less than STEP except
+     * after a change of the timestep.
+     */
     private long remainder;
 
     private long droppedSteps;
-    /** What rounding left out of the remainder; in parts of a step, at most a half. */
+    /** The rounding error of the remainder; in parts of a step, at most one. */
     private double remainderError;
 
     private final Sum irregular = new Sum();
@@ -51,16 +57,16 @@ final class Clock {
         this.timestep = timestep;
     }
 
-    /** Takes in elapsed time; returns the whole fixed steps due, and keeps the remainder. */
+    /** Adds elapsed time; returns the number of fixed steps that are due, and keeps the remainder. */
     long stepsDue(double elapsed) {
         long seconds = (long) elapsed;
-        remainder += parts(elapsed, seconds); // below 1e15 + 1e9
+        remainder += parts(elapsed, seconds); // below 2e15 + 1e9
         long due = remainder / STEP;
         remainder %= STEP;
         return seconds * timestep.rate + due;
     }
 
-    /** Of a time without its whole seconds. */
+    /** The parts in a time without its whole seconds. */
     private long parts(double elapsed, long seconds) {
         long ns = (long) ((elapsed - seconds) * 1e9 + 0.5);
         if ((seconds * STEP + ns) / 1e9 == elapsed) return ns * timestep.rate;
@@ -85,18 +91,26 @@ final class Clock {
         dropped.add(seconds);
     }
 
-    /** In units of {@link #seconds}. */
+    /** The waiting time, in parts; see {@link #seconds}. */
     long remainder() {
         return remainder;
     }
 
-    /** Of a fixed clock's time, such as its remainder or a difference of two. */
-    double seconds(long time) {
-        return time / ((double) STEP * timestep.rate);
+    /** Converts parts to seconds. */
+    double seconds(long parts) {
+        return parts / ((double) STEP * rate(timestep));
+    }
+
+    /** Returns the waiting time in seconds, and lets it wait no longer. */
+    double takeRemainder() {
+        double seconds = (remainder + remainderError) / (double) STEP / rate(timestep);
+        remainder = 0;
+        remainderError = 0;
+        return seconds;
     }
 
     double alpha() {
-        return Math.min(remainder / (double) STEP, MAX_ALPHA);
+        return timestep.isFixed() ? Math.min(remainder / (double) STEP, MAX_ALPHA) : 0;
     }
 
     long tick() {
@@ -104,7 +118,7 @@ final class Clock {
     }
 
     double time() {
-        return irregular.value() + inSeconds(regular); // in the order that Kernel asks for
+        return irregular.value() + inSeconds(regular); // the order of operands that Kernel explains
     }
 
     double droppedTime() {
@@ -119,22 +133,33 @@ final class Clock {
         return timestep;
     }
 
-    /** Goes on in other steps. The remainder stays the same part of a step; without fixed steps there is none. */
+    /** The rate by which the remainder is counted. */
+    private static int rate(Timestep timestep) {
+        return timestep.isFixed() ? timestep.rate : 1;
+    }
+
+    /** Changes the timestep. The waiting time stays the same, in seconds. */
     void setTimestep(Timestep next) {
         if (next.rate != timestep.rate) {
             irregular.add(inSeconds(regular));
             dropped.add(inSeconds(droppedSteps));
             regular = droppedSteps = 0;
-        }
-        if (!next.isFixed()) {
-            if (timestep.isFixed()) drop(seconds(remainder));
-            remainder = 0;
-            remainderError = 0;
+            convertRemainder(rate(timestep), rate(next));
         }
         timestep = next;
     }
 
-    void set(Clock other) {
+    /** remainder := remainder · to / from, without overflow. It is rounded to a part; the error is carried over. */
+    private void convertRemainder(long from, long to) {
+        long product = remainder % from * to;
+        long whole = remainder / from * to + product / from;
+        double fraction = remainderError * to / from + (double) (product % from) / from;
+        long rounded = whole + (long) (fraction < 0 ? fraction - 0.5 : fraction + 0.5);
+        remainder = Math.max(0, Math.min(rounded, STEP * to - 1));
+        remainderError = Math.max(-1, Math.min(fraction - (remainder - whole), 1));
+    }
+
+    void copy(Clock other) {
         timestep = other.timestep;
         tick = other.tick;
         regular = other.regular;
@@ -145,7 +170,7 @@ final class Clock {
         dropped.set(other.dropped.sum, other.dropped.error);
     }
 
-    /** {@return the whole state but for the timestep} */
+    /** {@return the state without the timestep} */
     long[] state() {
         return new long[] {
             tick,
@@ -164,15 +189,15 @@ final class Clock {
      * The reverse of {@link #state}.
      *
      * @param timestep the timestep
-     * @throws IllegalArgumentException if no clock can have come to this; it is to be thrown away then
+     * @throws IllegalArgumentException if no clock can have this state; this one is then unusable
      */
     void setState(Timestep timestep, long[] state) {
         this.timestep = timestep;
         tick = Check.count(STATE[0], state[0], MAX_TICKS);
         regular = Check.count(STATE[1], state[1], tick);
-        remainder = Check.count(STATE[2], state[2], timestep.isFixed() ? STEP - 1 : 0);
+        remainder = Check.count(STATE[2], state[2], STEP * rate(timestep) - 1); // less than a second
         droppedSteps = Check.count(STATE[3], state[3], MAX_TICKS);
-        remainderError = error(4, state, timestep.isFixed() ? 1 : 0);
+        remainderError = error(4, state, 1);
         irregular.set(sum(5, state), error(6, state, MAX_SUM));
         dropped.set(sum(7, state), error(8, state, MAX_SUM));
     }
@@ -189,20 +214,20 @@ final class Clock {
         return error;
     }
 
-    /** A hash of all this that goes on from h. */
+    /** A hash of all this, starting from h. */
     long hash(long h) {
         h = mix(mix(mix(h, timestep.rate), Double.doubleToRawLongBits(timestep.maxStep)), timestep.maxSteps);
         h = mix(mix(mix(mix(h, tick), regular), remainder), droppedSteps);
         return dropped.hash(irregular.hash(mix(h, Double.doubleToRawLongBits(remainderError))));
     }
 
-    /** One step of a hash. For every h it is one-to-one in v, and for every v in h. */
+    /** One step of a hash: one-to-one in v for every h, and in h for every v. */
     static long mix(long h, long v) {
-        h = (h ^ v) * 0xD6E8FEB86659FD93L; // any odd number of many mixed bits
+        h = (h ^ v) * 0xD6E8FEB86659FD93L; // an odd number with many mixed bits
         return h ^ (h >>> 32);
     }
 
-    /** A running sum that carries its rounding error (Neumaier, 1974). */
+    /** A running sum with its rounding error (Neumaier, 1974). */
     private static final class Sum {
         private double sum, error;
 

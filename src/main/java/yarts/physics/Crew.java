@@ -1,13 +1,12 @@
 package yarts.physics;
 
-/** Shares work out among threads. What needs threads is behind this, so that a game without them compiles without. */
+/** Divides work among threads. All use of threads is behind this interface, so that games without it compile to JavaScript. */
 interface Crew {
-    /** Work on things that are numbered from 0. */
+    /** Independent pieces of work, numbered from 0. */
     interface Work {
-        /** Does those from one to another, exclusively. */
-        void run(int start, int end);
+        void run(int piece);
     }
 
-    /** Has the first n done, each once, and returns when they are. */
+    /** Runs the first n pieces, each once, and returns when all are done. */
     void share(Work work, int n);
 }

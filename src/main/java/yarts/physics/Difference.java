@@ -3,7 +3,7 @@ package yarts.physics;
 import java.util.HashMap;
 import java.util.Map;
 
-/** In what two states differ: a line for each value, this one's and the other's, up to a hundred. */
+/** The differences of two states: one line for each value, with that of this state and that of the other, up to a hundred. */
 final class Difference {
     private static final int MOST = 100;
 
@@ -31,27 +31,27 @@ final class Difference {
             else add(Clock.STATE[i], Double.longBitsToDouble(time[i]), Double.longBitsToDouble(theirTime[i]));
         }
         add("lastId", mine.lastId, theirs.lastId);
+        add("lastSteppedId", mine.lastSteppedId, theirs.lastSteppedId);
         add("interpolating", mine.interpolating, theirs.interpolating);
         compare(mine.table, theirs.table);
     }
 
     private void compare(Table mine, Table theirs) {
-        add("size", mine.size(), theirs.size());
-        Map<Long, Integer> indices = new HashMap<>();
-        for (int j = 0; j < theirs.size(); j++) indices.put(theirs.id(j), j);
-        for (int i = 0; i < mine.size(); i++) {
-            String unit = "unit " + mine.id(i);
-            Integer j = indices.remove(mine.id(i));
+        add("size", mine.size, theirs.size);
+        double[][] columns = mine.columns(), theirColumns = theirs.columns();
+        Map<Long, Integer> rows = new HashMap<>();
+        for (int j = 0; j < theirs.size; j++) rows.put(theirs.id[j], j);
+        for (int i = 0; i < mine.size; i++) {
+            String unit = "unit " + mine.id[i];
+            Integer j = rows.remove(mine.id[i]);
             add(unit, "index " + i, j == null ? "missing" : "index " + j);
             if (j == null) continue;
-            double[][] columns = mine.at(i).state(), theirColumns = theirs.at(j).state();
             for (int k = 0; k < columns.length; k++) {
-                double v = columns[k][Table.row(i)], their = theirColumns[k][Table.row(j)];
-                add(unit + ' ' + Columns.STATE[k], v + 0.0, their + 0.0);
+                add(unit + ' ' + Table.STATE[k], columns[k][i] + 0.0, theirColumns[k][j] + 0.0);
             }
         }
-        for (int j = 0; j < theirs.size(); j++) {
-            if (indices.containsKey(theirs.id(j))) add("unit " + theirs.id(j), "missing", "index " + j);
+        for (int j = 0; j < theirs.size; j++) {
+            if (rows.containsKey(theirs.id[j])) add("unit " + theirs.id[j], "missing", "index " + j);
         }
     }
 

@@ -1,20 +1,21 @@
 package yarts.physics;
 
 /**
- * The exponential and what {@link Integrator#EXACT} makes of it, of + − * / alone: the same bits wherever Java's doubles
- * are, which even StrictMath is not where Java is translated. For z from 0 on; within 5 ulp.
+ * The exponential and the coefficients of {@link Integrator#EXACT} that follow from it, computed by + − * / alone: the
+ * same bits on every platform. (StrictMath differs where Java is translated to another language.) For z ≥ 0; within
+ * 5 ulp.
  */
 final class Exponential {
-    /** Below this z, {@link #gain} is a series, and with it the decay. Series can be vectorised. */
+    /** Below this z, the gain and the decay are computed from the series of {@link #gain}, which can be vectorised. */
     static final double SMALL = 0.5;
 
-    /** From here on e^−z is 0, for it is below 1e-304, and leaves no velocity that is not rest. */
+    /** From this z on, the decay is 0: e^−z is below 1e-304, so any velocity times it is below {@link Kernel#REST}. */
     private static final double GONE = 700;
 
     private static final double LOG2_E = 0x1.71547652b82fep0;
-    /** ln 2 in two parts; the first has so few digits that n times it is exact. */
+    /** ln 2 in two parts; the first has so few digits that its product with n is exact. */
     private static final double LN2 = 0x1.62e42feep-1, LN2_REST = 0x1.a39ef35793c76p-33;
-    /** Added and taken away, it rounds to an integer. */
+    /** Adding and subtracting it rounds to an integer. */
     private static final double INTEGER = 0x1.8p52;
 
     private static final int BIAS = 1023, MANTISSA = 52;
@@ -29,7 +30,7 @@ final class Exponential {
         return (1 - r * gain(r)) * Double.longBitsToDouble((long) (BIAS - (int) n) << MANTISSA);
     }
 
-    /** (1 − e^−z)/z = Σ (−z)^k / (k + 1)!, for z from −0.5 to 0.5; the terms left out come to less than 2e-18. */
+    /** (1 − e^−z)/z = Σ (−z)^k / (k + 1)!, for z from −0.5 to 0.5; the omitted terms are below 2e-18. */
     static double gain(double z) {
         double sum = 1 / 1307674368000.0;
         sum = 1 / 87178291200.0 - z * sum;
@@ -48,14 +49,14 @@ final class Exponential {
         return 1 - z * sum;
     }
 
-    /** 1 − weight(z) = 1/z − 1/(e^z − 1), given the decay e^−z: close to 1/z for large z. */
+    /** 1/z − 1/(e^z − 1), given the decay e^−z. */
     static double lag(double z, double decay) {
         return z < 1 ? lag(z) : 1 / z - decay / (1 - decay);
     }
 
     /**
-     * The same for z below 1, where the difference would cancel: its series 1/2 − Σ B(2k) z^(2k−1) / (2k)!, with the
-     * Bernoulli numbers B; the terms left out come to less than 6e-18.
+     * The same for z below 1, where the difference would cancel: the series 1/2 − Σ B(2k) z^(2k−1) / (2k)!, with the
+     * Bernoulli numbers B; the omitted terms are below 6e-18.
      */
     static double lag(double z) {
         double s = z * z;

@@ -3,111 +3,146 @@ package yarts.physics;
 import java.util.Arrays;
 
 /**
- * How forces act over frames and ticks. A force F that is applied once a frame acts for the time that the frame takes.
- * The part of its impulse that falls in the clock's remainder, which no step has covered yet, is pending.
+ * The action of forces over frames and steps. Three kinds of forces are kept apart:
+ *
+ * <ul>
+ *   <li>A force F that is applied between calls acts for the elapsed time of the next one. The part of its impulse that
+ *       belongs to time not yet covered by a step is pending.
+ *   <li>A force that is applied in a before-step listener acts for the step that is about to run.
+ *   <li>A force that is applied in an after-step listener acts for the next step. After the last step of a call it waits.
+ * </ul>
+ *
+ * <p>All are added to the force column f. A call that runs steps begins with f := share + waiting, where the share is what
+ * each step gets of the impulse of the frame, and ends with waiting := f. A step uses f and clears it.
  */
 final class Impulses {
     private Impulses() {}
 
-    /** A frame in which no step fell due, and which left the remainder longer by {@code elapsed} seconds. */
-    static void hold(Table table, double elapsed) {
-        for (int k = 0; k < table.blocks(); k++) {
-            Columns c = table.block(k);
-            if (c.pushed == Columns.NONE) continue;
-            hold(c.pendingX, c.fx, c.start, c.lanes(), elapsed);
-            hold(c.pendingY, c.fy, c.start, c.lanes(), elapsed);
-            c.pending = Columns.join(c.pending, c.pushed);
-            c.pushed = Columns.NONE;
+    /** A frame in which no step is due, and by which the waiting time grows by {@code elapsed} seconds. */
+    static void hold(Table t, double elapsed) {
+        for (int k = 0; k < t.tiles(); k++) {
+            if (!t.pushed[k]) continue;
+            hold(t.pendingX, t.fx, Table.start(k), t.lanes(k), elapsed);
+            hold(t.pendingY, t.fy, Table.start(k), t.lanes(k), elapsed);
+            t.pending[k] = true;
+            t.pushed[k] = false;
         }
     }
 
-    private static void hold(double[] pending, double[] f, int i, int end, double elapsed) {
-        for (; i < end; i++) {
+    private static void hold(double[] pending, double[] f, int start, int end, double elapsed) {
+        for (int i = start; i < end; i++) {
             pending[i] += f[i] * elapsed;
             f[i] = 0;
         }
     }
 
     /**
-     * A frame whose steps cover {@code covered} seconds. The remainder was {@code before} and is {@code after}, so the
-     * forces F of this frame acted for covered − before + after. Of their impulse F·after is for later; the rest, with
-     * what is pending, is spread evenly over the steps: (pending + F (covered − before)) / covered, written so that a
-     * constant force is passed on to the bit.
+     * The beginning of a frame whose steps cover {@code covered} seconds. The waiting time was {@code before} and is
+     * {@code after} seconds, so the forces F of this frame acted for covered − before + after. If more time waited than
+     * the steps cover, {@code old} seconds of it remain, and with them that part of the pending impulse P:
+     *
+     * <pre>{@code
+     * old   = max(0, before − covered)
+     * share = (P (1 − old/before) + F (covered − before + old)) / covered
+     * P     = P old/before + F (after − old)
+     * }</pre>
+     *
+     * The share is computed as F + (P (1 − old/before) − F (before − old)) / covered, which passes on a constant force to
+     * the bit. Variable steps that cover less than a nanosecond leave P as it is.
      *
      * @param repeated whether there is more than one step
      */
-    static void spread(Table table, double before, double after, double covered, boolean repeated) {
-        double perSecond = 1 / Math.max(covered, 1e-9); // less, of variable steps only, would overflow
-        for (int k = 0; k < table.blocks(); k++) {
-            Columns c = table.block(k);
-            int pushed = Columns.join(c.pushed, c.pending);
-            if (pushed == Columns.NONE) continue;
-            int start = c.start, end = c.lanes();
-            spread(c.pendingX, c.fx, start, end, before, after, perSecond);
-            spread(c.pendingY, c.fy, start, end, before, after, perSecond);
-            c.pending = after > 0 ? c.pushed : Columns.NONE;
-            c.pushed = pushed;
-            if (!repeated) continue;
-            c.framed = pushed;
-            System.arraycopy(c.fx, start, c.frameX, start, end - start);
-            System.arraycopy(c.fy, start, c.frameY, start, end - start);
+    static void begin(Table t, double before, double after, double covered, boolean repeated) {
+        double old = Math.max(0, before - covered), kept = before > 0 ? old / before : 0;
+        double used = before - old, later = after - old, perSecond = 1 / covered;
+        if (covered < 1e-9) { // 1 / covered may be infinite
+            kept = 1;
+            used = later = perSecond = 0;
         }
+        for (int k = 0; k < t.tiles(); k++) {
+            if (!t.pushed[k] && !t.pending[k]) continue;
+            int start = Table.start(k), end = t.lanes(k);
+            spread(t.pendingX, t.fx, start, end, kept, used, later, perSecond);
+            spread(t.pendingY, t.fy, start, end, kept, used, later, perSecond);
+            t.pending[k] = after > 0 || kept > 0;
+            t.pushed[k] = true;
+            if (!repeated) continue;
+            System.arraycopy(t.fx, start, t.frameX, start, end - start);
+            System.arraycopy(t.fy, start, t.frameY, start, end - start);
+            t.framed[k] = true;
+        }
+        useWaiting(t);
     }
 
     private static void spread(
-            double[] pending, double[] f, int i, int end, double before, double after, double perSecond) {
-        for (; i < end; i++) {
-            double force = f[i];
-            f[i] = force + (pending[i] - force * before) * perSecond;
-            pending[i] = force * after;
+            double[] pending,
+            double[] f,
+            int start,
+            int end,
+            double kept,
+            double used,
+            double later,
+            double perSecond) {
+        for (int i = start; i < end; i++) {
+            double force = f[i], impulse = pending[i];
+            f[i] = force + (impulse * (1 - kept) - force * used) * perSecond;
+            pending[i] = impulse * kept + force * later;
+        }
+    }
+
+    /** The next step uses the waiting forces. */
+    static void useWaiting(Table t) {
+        for (int k = 0; k < t.tiles(); k++) {
+            if (!t.waiting[k]) continue;
+            int start = Table.start(k), end = t.lanes(k);
+            add(t.fx, t.waitingX, start, end);
+            add(t.fy, t.waitingY, start, end);
+            Arrays.fill(t.waitingX, start, end, 0);
+            Arrays.fill(t.waitingY, start, end, 0);
+            t.waiting[k] = false;
+            t.pushed[k] = true;
         }
     }
 
     /** The frame's forces act in its next step, too. */
-    static void repeat(Table table) {
-        for (int k = 0; k < table.blocks(); k++) {
-            Columns c = table.block(k);
-            if (c.framed == Columns.NONE) continue;
-            add(c.fx, c.frameX, c.start, c.lanes());
-            add(c.fy, c.frameY, c.start, c.lanes());
-            c.pushed = Columns.join(c.pushed, c.framed);
+    static void repeat(Table t) {
+        for (int k = 0; k < t.tiles(); k++) {
+            if (!t.framed[k]) continue;
+            add(t.fx, t.frameX, Table.start(k), t.lanes(k));
+            add(t.fy, t.frameY, Table.start(k), t.lanes(k));
+            t.pushed[k] = true;
         }
     }
 
-    private static void add(double[] f, double[] frame, int i, int end) {
-        for (; i < end; i++) f[i] += frame[i];
+    private static void add(double[] f, double[] more, int start, int end) {
+        for (int i = start; i < end; i++) f[i] += more[i];
     }
 
-    /** The frame's last step is over, or will not come. */
-    static void endFrame(Table table) {
-        for (int k = 0; k < table.blocks(); k++) {
-            Columns c = table.block(k);
-            if (c.framed == Columns.NONE) continue;
-            Arrays.fill(c.frameX, c.start, c.lanes(), 0);
-            Arrays.fill(c.frameY, c.start, c.lanes(), 0);
-            c.framed = Columns.NONE;
-        }
-    }
-
-    /** Drops the forces for the next step. */
-    static void drop(Table table) {
-        for (int k = 0; k < table.blocks(); k++) {
-            Columns c = table.block(k);
-            if (c.pushed == Columns.NONE) continue;
-            Arrays.fill(c.fx, c.start, c.end, 0);
-            Arrays.fill(c.fy, c.start, c.end, 0);
-            c.pushed = Columns.NONE;
-        }
-    }
-
-    /** The remainder's length is another: what is pending was, and is to be, of the same forces. */
-    static void scale(Table table, double factor) {
-        for (int k = 0; k < table.blocks(); k++) {
-            Columns c = table.block(k);
-            for (int i = c.start; i < c.end; i++) {
-                c.pendingX[i] = c.pendingX[i] * factor + 0.0; // 0 rather than −0.0
-                c.pendingY[i] = c.pendingY[i] * factor + 0.0;
+    /** The end of a call that ran steps, or was to run some: forces that were applied after the last step wait. */
+    static void end(Table t) {
+        for (int k = 0; k < t.tiles(); k++) {
+            int start = Table.start(k), end = t.lanes(k);
+            if (t.framed[k]) {
+                Arrays.fill(t.frameX, start, end, 0);
+                Arrays.fill(t.frameY, start, end, 0);
+                t.framed[k] = false;
             }
+            if (!t.pushed[k]) continue;
+            System.arraycopy(t.fx, start, t.waitingX, start, end - start);
+            System.arraycopy(t.fy, start, t.waitingY, start, end - start);
+            t.waiting[k] = true;
+            discard(t, k);
         }
+    }
+
+    /** Discards the forces for the next step. */
+    static void discard(Table t) {
+        for (int k = 0; k < t.tiles(); k++) if (t.pushed[k]) discard(t, k);
+    }
+
+    private static void discard(Table t, int k) {
+        Arrays.fill(t.fx, Table.start(k), t.lanes(k), 0);
+        Arrays.fill(t.fy, Table.start(k), t.lanes(k), 0);
+        t.pushed[k] = false;
     }
 }

@@ -3,158 +3,252 @@ package yarts.physics;
 import java.util.AbstractList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashMap;
+import java.util.ConcurrentModificationException;
 import java.util.IdentityHashMap;
-import java.util.Map;
-import java.util.Objects;
+import java.util.Iterator;
+import java.util.List;
+import java.util.ListIterator;
+import java.util.NoSuchElementException;
 import java.util.RandomAccess;
 import java.util.Set;
 import java.util.function.LongFunction;
 
-/** The handles of a table's rows. Its iterator fails fast, and its remove moves the last unit into the gap. */
+/**
+ * The units of a world, by index and by id. Unit i has row i of the world's table. A removal gives the index of the unit
+ * to the last one.
+ */
 final class Members extends AbstractList<Unit> implements RandomAccess {
-    private final Table table;
-    private Unit[] list = new Unit[16];
-    private int size;
-    /** By id; null until somebody asks. */
-    private Map<Long, Unit> byId;
+    /** At least twice as many slots as units keep the searches short. */
+    private static final int SLOTS_PER_UNIT = 2;
 
-    /** The rows of a table to which nobody else adds, and from which nobody else takes away. */
-    Members(Table table) {
-        this.table = table;
+    private static final long GOLDEN = 0x9E3779B97F4A7C15L; // spreads the ids over the slots
+
+    private static final Unit[] NONE = {};
+
+    private final State state;
+    private Unit[] list = NONE;
+    /** Where a restore makes its list; without units otherwise. */
+    private Unit[] spare = NONE;
+    /** A hash table with linear probing from ids to rows: row + 1, or 0 if free. Its length is a power of two. */
+    private int[] slots = {0};
+
+    Members(State state) {
+        this.state = state;
     }
 
     Unit[] array() {
         return list;
     }
 
+    boolean has(Unit unit) {
+        return unit.table == state.table;
+    }
+
     Unit find(long id) {
-        if (byId == null) {
-            Map<Long, Unit> all = new HashMap<>();
-            for (int i = 0; i < size; i++) all.put(list[i].getId(), list[i]);
-            byId = all;
+        int row = slots[slot(id)] - 1;
+        return row < 0 ? null : list[row];
+    }
+
+    /** The slot of an id, or the free slot where it belongs. */
+    private int slot(long id) {
+        long[] ids = state.table.id;
+        int s = home(id);
+        while (slots[s] != 0 && ids[slots[s] - 1] != id) s = next(s);
+        return s;
+    }
+
+    private int home(long id) {
+        return (int) (id * GOLDEN >>> 32) & (slots.length - 1);
+    }
+
+    private int next(int slot) {
+        return (slot + 1) & (slots.length - 1);
+    }
+
+    /** Frees the slot of an id, and moves the entries after it that would no longer be found. */
+    private void free(long id) {
+        int gap = slot(id), mask = slots.length - 1;
+        for (int s = next(gap); slots[s] != 0; s = next(s)) {
+            int home = home(state.table.id[slots[s] - 1]);
+            if (((s - home) & mask) < ((s - gap) & mask)) continue; // its home is after the gap
+            slots[gap] = slots[s];
+            gap = s;
         }
-        return byId.get(id);
+        slots[gap] = 0;
+    }
+
+    /** Makes room for some units. Changes come after this, because it fails if memory runs out. */
+    private void reserve(int units) {
+        if (units > list.length) list = Arrays.copyOf(list, Math.max(units, list.length + list.length / 2 + 8));
+        state.table.reserve(units);
+        if (slots.length < SLOTS_PER_UNIT * units) {
+            slots = new int[Integer.highestOneBit(SLOTS_PER_UNIT * units - 1) * 2];
+            index();
+        }
+    }
+
+    /** Enters all ids into the empty slots. */
+    private void index() {
+        for (int i = 0; i < size(); i++) slots[slot(state.table.id[i])] = i + 1;
     }
 
     void append(Unit unit, long id) {
-        reserve(size + 1);
-        Map<Long, Unit> index = byId;
-        byId = null; // until it is right again: what follows may fail
-        if (index != null) index.put(id, unit);
-        unit.clearForces();
-        table.resize(size + 1);
-        Columns end = table.at(size);
-        int row = Table.row(size);
-        unit.columns.copyRow(unit.row, end, row);
-        end.settle(row);
-        end.id[row] = id;
-        unit.place(end, row); // the last that may fail
-        list[size++] = unit;
-        byId = index;
+        Table t = state.table;
+        int row = t.size;
+        reserve(row + 1);
+        int slot = slot(id);
+        unit.table.copyRow(unit.row, t, row);
+        t.clearForces(row);
+        t.settle(row);
+        t.id[row] = id;
+        Coefficients.renewRow(t, row);
+        t.size++;
+        list[row] = unit;
+        slots[slot] = row + 1;
+        unit.table = t;
+        unit.row = row;
         modCount++;
-    }
-
-    /** The units with the ids of another table; a factory makes those that are missing here. */
-    Unit[] wanted(Table saved, LongFunction<? extends Unit> factory) {
-        Unit[] wanted = new Unit[saved.size()];
-        Set<Unit> made = Collections.newSetFromMap(new IdentityHashMap<>());
-        for (int i = 0; i < wanted.length; i++) {
-            long id = saved.id(i);
-            wanted[i] = find(id);
-            if (wanted[i] != null) continue;
-            wanted[i] = Check.notNull("the factory's unit", factory.apply(id));
-            if (wanted[i].isMember() || !made.add(wanted[i])) {
-                throw new IllegalStateException("the factory must make a new unit for id " + id + ", not " + wanted[i]);
-            }
-        }
-        return wanted;
-    }
-
-    /** Makes room for n units. What changes them comes after this, as it may fail for want of memory. */
-    private void reserve(int n) {
-        if (n > list.length) list = Arrays.copyOf(list, Math.max(n, 2 * list.length));
-        table.reserve(n);
-    }
-
-    /** Some units become those of the table, which is about to become another. */
-    void set(Unit[] wanted, Table saved) {
-        int n = saved.size();
-        for (int i = 0; i < n; i++) {
-            if (wanted[i].isMember() && !has(wanted[i])) {
-                throw new IllegalStateException("a unit of the snapshot is in another world by now: " + wanted[i]);
-            }
-        }
-        if (n == size && are(wanted, saved)) return;
-        reserve(n);
-        int leaving = size;
-        for (int i = 0; i < n; i++) if (has(wanted[i])) leaving--;
-        Columns[] rooms = rooms(leaving);
-        for (int i = 0; i < n; i++) if (has(wanted[i])) list[wanted[i].index()] = null; // it stays
-        for (int i = 0; i < size; i++) if (list[i] != null) list[i].leave(rooms[--leaving / Columns.LANES]);
-        Arrays.fill(list, 0, size, null);
-        System.arraycopy(wanted, 0, list, 0, n);
-        size = n;
-        byId = null;
-        modCount++;
-    }
-
-    /** Blocks outside any world for so many units. */
-    private static Columns[] rooms(int units) {
-        Columns[] rooms = new Columns[Columns.lanes(units) / Columns.LANES];
-        for (int k = 0; k < rooms.length; k++) rooms[k] = new Columns(0, Columns.LANES);
-        return rooms;
-    }
-
-    private boolean are(Unit[] wanted, Table saved) {
-        for (int i = 0; i < size; i++) if (wanted[i] != list[i] || saved.id(i) != list[i].getId()) return false;
-        return true;
-    }
-
-    /** Places each at its row. */
-    void place() {
-        for (int i = 0; i < size; i++) list[i].place(table.at(i), Table.row(i));
-    }
-
-    boolean has(Unit unit) {
-        int i = unit.index();
-        return i < size && list[i] == unit;
     }
 
     @Override
     public Unit remove(int i) {
-        Unit unit = get(i);
-        Columns gap = unit.columns;
-        Map<Long, Unit> index = byId;
-        byId = null; // until it is right again: what follows may fail
-        if (index != null) index.remove(unit.getId());
-        unit.leave(null);
-        Unit last = list[size - 1];
+        Table t = state.table;
+        Unit unit = get(i), last = list[t.size - 1];
+        Table own = new Table(1);
+        leave(unit, own, 0);
+        free(t.id[i]);
         if (last != unit) {
-            last.move(gap, Table.row(i));
+            slots[slot(last.getId())] = i + 1;
+            t.copyRow(last.row, t, i);
+            Coefficients.renewRow(t, i);
+            last.row = i;
             list[i] = last;
         }
-        list[--size] = null;
-        table.removeLast();
-        byId = index;
+        list[t.size - 1] = null;
+        t.truncate(t.size - 1);
         modCount++;
         return unit;
     }
 
+    /** Moves a unit to a table outside a world. It loses the forces that have not acted. */
+    private static void leave(Unit unit, Table to, int row) {
+        unit.table.copyRow(unit.row, to, row);
+        to.clearForces(row);
+        unit.table = to;
+        unit.row = row;
+    }
+
+    /** Leaves the table to the units, and takes a new one. */
     @Override
     public void clear() {
-        while (size > 0) remove(size - 1);
+        if (isEmpty()) return;
+        Table old = state.table, table = new Table(0);
+        int[] free = {0};
+        table.owner = old.owner;
+        old.owner = null;
+        old.clearForces();
+        state.table = table;
+        list = spare = NONE;
+        slots = free;
+        modCount++;
+    }
+
+    /**
+     * Restores a state. The units of the table become those with the saved ids: known ones, or those here, or new ones of
+     * a factory. The others leave.
+     *
+     * @param known the saved units, in order, if this world was saved; otherwise null
+     */
+    void restore(State saved, Unit[] known, LongFunction<? extends Unit> factory) {
+        int n = saved.table.size;
+        if (isSame(saved.table, known)) {
+            state.copy(saved);
+            return;
+        }
+        if (spare.length < n) spare = new Unit[Math.max(n, list.length)];
+        try {
+            if (known != null) System.arraycopy(known, 0, spare, 0, n);
+            else collect(saved.table, factory);
+            check(n);
+            reserve(n);
+            replace(saved);
+        } finally {
+            Arrays.fill(spare, null);
+        }
+    }
+
+    /** Whether the saved units are those here, in the same order. */
+    private boolean isSame(Table saved, Unit[] known) {
+        if (saved.size != size()) return false;
+        for (int i = 0; i < saved.size; i++) {
+            if (saved.id[i] != state.table.id[i] || known != null && known[i] != list[i]) return false;
+        }
+        return true;
+    }
+
+    /** Fills the spare list with the units that have the saved ids. */
+    private void collect(Table saved, LongFunction<? extends Unit> factory) {
+        int changes = modCount;
+        Set<Unit> made = null;
+        for (int i = 0; i < saved.size; i++) {
+            long id = saved.id[i];
+            Unit unit = find(id);
+            if (unit == null) {
+                unit = Check.notNull("the factory's unit", factory.apply(id));
+                if (made == null) made = Collections.newSetFromMap(new IdentityHashMap<>());
+                if (unit.table.owner != null || !made.add(unit)) {
+                    throw new IllegalStateException(
+                            "the factory must return a new unit for id " + id + ", was " + unit);
+                }
+                if (modCount != changes) throw new IllegalStateException("the factory must not change the world");
+            }
+            spare[i] = unit;
+        }
+    }
+
+    private void check(int n) {
+        for (int i = 0; i < n; i++) {
+            if (spare[i].table.owner != null && !has(spare[i])) {
+                throw new IllegalStateException("a unit of the snapshot is now in another world: " + spare[i]);
+            }
+        }
+    }
+
+    /** Replaces the units by the first ones of the spare list, and the state by a saved one. */
+    private void replace(State saved) {
+        int n = saved.table.size, leaving = size();
+        for (int i = 0; i < n; i++) if (has(spare[i])) leaving--;
+        Table left = leaving > 0 ? new Table(leaving) : null;
+        for (int i = 0; i < n; i++) if (has(spare[i])) list[spare[i].row] = null; // it stays
+        for (int i = 0; i < size(); i++) if (list[i] != null) leave(list[i], left, --leaving);
+        Unit[] old = list;
+        list = spare;
+        spare = old;
+        state.copy(saved);
+        for (int i = 0; i < n; i++) {
+            list[i].table = state.table;
+            list[i].row = i;
+        }
+        Arrays.fill(slots, 0);
+        index();
+        modCount++;
     }
 
     @Override
     public Unit get(int index) {
-        Objects.checkIndex(index, size);
+        checkIndex(index, size() - 1);
         return list[index];
+    }
+
+    private static void checkIndex(int index, int most) {
+        if (index < 0 || index > most) {
+            throw new IndexOutOfBoundsException("index must be from 0 to " + most + ", was " + index);
+        }
     }
 
     @Override
     public int size() {
-        return size;
+        return state.table.size;
     }
 
     @Override
@@ -164,6 +258,143 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
 
     @Override
     public int indexOf(Object o) {
-        return o instanceof Unit unit && has(unit) ? unit.index() : -1;
+        return o instanceof Unit && has((Unit) o) ? ((Unit) o).row : -1;
+    }
+
+    @Override
+    public int lastIndexOf(Object o) {
+        return indexOf(o);
+    }
+
+    @Override
+    public Iterator<Unit> iterator() {
+        return new Cursor(0, size(), 0);
+    }
+
+    @Override
+    public ListIterator<Unit> listIterator(int index) {
+        return new Part(0, size()).listIterator(index);
+    }
+
+    @Override
+    public List<Unit> subList(int from, int to) {
+        return new Part(0, size()).subList(from, to);
+    }
+
+    private void checkUnchanged(int changes) {
+        if (modCount == changes) return;
+        throw new ConcurrentModificationException(
+                "units were added or removed during the iteration, and not by the iterator's own remove");
+    }
+
+    /** The units from one index to another, as long as none is added or removed. */
+    private final class Part extends AbstractList<Unit> implements RandomAccess {
+        private final int start, end, changes = Members.this.modCount;
+
+        Part(int start, int end) {
+            this.start = start;
+            this.end = end;
+        }
+
+        @Override
+        public Unit get(int index) {
+            checkIndex(index, size() - 1);
+            return list[start + index];
+        }
+
+        @Override
+        public int size() {
+            checkUnchanged(changes);
+            return end - start;
+        }
+
+        @Override
+        public Iterator<Unit> iterator() {
+            return listIterator(0);
+        }
+
+        @Override
+        public ListIterator<Unit> listIterator(int index) {
+            checkIndex(index, size());
+            return new Cursor(start, end, start + index);
+        }
+
+        @Override
+        public List<Unit> subList(int from, int to) {
+            checkIndex(to, size());
+            checkIndex(from, to);
+            return new Part(start + from, start + to);
+        }
+    }
+
+    /** Iterates over the units from one index to another. Every method notices changes, whichever unit has left. */
+    private final class Cursor implements ListIterator<Unit> {
+        private final int start;
+        private int end, next, last = -1, changes = modCount;
+
+        Cursor(int start, int end, int next) {
+            this.start = start;
+            this.end = end;
+            this.next = next;
+        }
+
+        @Override
+        public boolean hasNext() {
+            checkUnchanged(changes);
+            return next < end;
+        }
+
+        @Override
+        public Unit next() {
+            if (!hasNext()) throw new NoSuchElementException("there is no further unit");
+            last = next++;
+            return list[last];
+        }
+
+        @Override
+        public boolean hasPrevious() {
+            checkUnchanged(changes);
+            return next > start;
+        }
+
+        @Override
+        public Unit previous() {
+            if (!hasPrevious()) throw new NoSuchElementException("there is no unit before this");
+            last = --next;
+            return list[last];
+        }
+
+        @Override
+        public int nextIndex() {
+            checkUnchanged(changes);
+            return next - start;
+        }
+
+        @Override
+        public int previousIndex() {
+            return nextIndex() - 1;
+        }
+
+        /** Removes the unit that was returned last. The last unit takes its index, and is returned next. */
+        @Override
+        public void remove() {
+            checkUnchanged(changes);
+            if (last < 0) throw new IllegalStateException("next must be called before each remove");
+            Members.this.remove(last);
+            next = last;
+            last = -1;
+            end--;
+            changes = modCount;
+        }
+
+        @Override
+        public void set(Unit unit) {
+            throw new UnsupportedOperationException("units are added by World.add");
+        }
+
+        @Override
+        public void add(Unit unit) {
+            throw new UnsupportedOperationException("units are added by World.add");
+        }
     }
 }

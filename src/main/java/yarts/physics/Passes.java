@@ -1,59 +1,56 @@
 package yarts.physics;
 
 /**
- * A step of all rows of a block, as a series of passes: loops with a part of {@link Kernel}'s formula each.
+ * A step of the rows of a tile, as a series of passes: short loops, each with a part of {@link Kernel}'s formula.
  *
- * <p>HotSpot vectorises a loop that is small (60 nodes of its graph) and has no branch; so there are several, over a block
- * that stays in the cache from pass to pass. It vectorises a loop no more, not even for the thousands of rounds that come
- * later, once it has seen it end after a few: so they run over a multiple of {@link Columns#LANES} rows. Where many loops
- * meet in one method, as they would where a step is inlined into a loop of the game, it leaves some of them slow; but it
- * does not inline a call that leads to many implementations. So each pass is an object behind an interface, and compiled
- * by itself.
+ * <p>HotSpot vectorises a loop only if it is short (60 nodes of its graph) and has no branch; so there are several, over
+ * a tile that stays in the cache from pass to pass. Once it has seen a loop end after a few iterations, it no longer
+ * vectorises it, not even for the long runs that come later: so loops cover a multiple of {@link Table#LANES} rows. In a
+ * method with many loops, as a step inlined into a game's loop would be, it leaves some of them slow; but it does not
+ * inline a call that has many implementations. So each pass is an object behind an interface, and is compiled on its own.
  */
 final class Passes {
     private Passes() {}
 
-    /** A step of all rows. */
-    static void step(Columns c) {
-        run(PUSHED, c);
-    }
-
-    /** The same if there are no forces: nobody gets faster, so there is nothing to cap. */
-    static void coast(Columns c) {
-        run(COASTING, c);
-    }
-
-    /** A part of a step, for rows from one on. */
+    /** A part of a step, for the rows from start to end. */
     private interface Pass {
-        void run(Columns c, int i, int end);
+        void run(Table t, double dt, int start, int end);
     }
 
-    /** Until the move, the new velocity waits in the force, which is used up by then. */
+    /**
+     * Forces and friction, speed cap, position. The new velocity is kept in the force column until the last passes. The
+     * new positions replace the previous ones; the two are swapped when all tiles are done.
+     */
     private static final Pass[] PUSHED = {
-        (c, i, end) -> push(c.vx, c.decay, c.gain, c.fx, i, end),
-        (c, i, end) -> push(c.vy, c.decay, c.gain, c.fy, i, end),
-        (c, i, end) -> cap(c.fx, c.fy, c.cap, i, end),
-        (c, i, end) -> move(c.x, c.previousX, c.before, c.vx, c.after, c.fx, i, end),
-        (c, i, end) -> move(c.y, c.previousY, c.before, c.vy, c.after, c.fy, i, end)
+        (t, dt, start, end) -> push(t.vx, t.decay, t.gain, t.fx, start, end),
+        (t, dt, start, end) -> push(t.vy, t.decay, t.gain, t.fy, start, end),
+        (t, dt, start, end) -> cap(t.fx, t.fy, t.cap, start, end),
+        (t, dt, start, end) -> move(t.x, t.previousX, dt, t.lag, t.vx, t.fx, start, end),
+        (t, dt, start, end) -> move(t.y, t.previousY, dt, t.lag, t.vy, t.fy, start, end)
     };
 
+    /** Without forces no unit becomes faster, so none needs the speed cap. */
     private static final Pass[] COASTING = {
-        (c, i, end) -> coast(c.x, c.previousX, c.before, c.vx, c.after, c.decay, i, end),
-        (c, i, end) -> coast(c.y, c.previousY, c.before, c.vy, c.after, c.decay, i, end)
+        (t, dt, start, end) -> coast(t.x, t.previousX, dt, t.lag, t.vx, t.decay, start, end),
+        (t, dt, start, end) -> coast(t.y, t.previousY, dt, t.lag, t.vy, t.decay, start, end)
     };
 
-    private static void run(Pass[] passes, Columns c) {
-        int end = c.lanes();
-        for (Pass pass : passes) pass.run(c, c.start, end);
-        c.swapPositions();
+    /** A step of the rows from start to end, which may have forces. */
+    static void step(Table t, double dt, int start, int end) {
+        for (Pass pass : PUSHED) pass.run(t, dt, start, end);
     }
 
-    private static void push(double[] v, double[] decay, double[] gain, double[] force, int i, int end) {
-        for (; i < end; i++) force[i] = Kernel.velocity(decay[i], v[i], gain[i], force[i]);
+    /** The same, to the bit, if there are no forces. */
+    static void coast(Table t, double dt, int start, int end) {
+        for (Pass pass : COASTING) pass.run(t, dt, start, end);
     }
 
-    private static void cap(double[] vx, double[] vy, double[] cap, int i, int end) {
-        for (; i < end; i++) {
+    private static void push(double[] v, double[] decay, double[] gain, double[] force, int start, int end) {
+        for (int i = start; i < end; i++) force[i] = Kernel.velocity(decay[i], v[i], gain[i], force[i]);
+    }
+
+    private static void cap(double[] vx, double[] vy, double[] cap, int start, int end) {
+        for (int i = start; i < end; i++) {
             double left = Kernel.left(vx[i], vy[i], cap[i]);
             vx[i] *= left;
             vy[i] *= left;
@@ -61,20 +58,20 @@ final class Passes {
     }
 
     private static void move(
-            double[] x, double[] moved, double[] before, double[] v, double[] after, double[] waiting, int i, int end) {
-        for (; i < end; i++) {
-            double next = Kernel.rest(waiting[i]);
-            moved[i] = Kernel.position(x[i], before[i], v[i], after[i], next);
+            double[] x, double[] moved, double dt, double[] lag, double[] v, double[] capped, int start, int end) {
+        for (int i = start; i < end; i++) {
+            double next = Kernel.rest(capped[i]);
+            moved[i] = Kernel.position(x[i], dt, lag[i], v[i], next);
             v[i] = next;
-            waiting[i] = 0;
+            capped[i] = 0;
         }
     }
 
     private static void coast(
-            double[] x, double[] moved, double[] before, double[] v, double[] after, double[] decay, int i, int end) {
-        for (; i < end; i++) {
-            double now = v[i], next = Kernel.rest(Kernel.velocity(decay[i], now, 0, 0));
-            moved[i] = Kernel.position(x[i], before[i], now, after[i], next);
+            double[] x, double[] moved, double dt, double[] lag, double[] v, double[] decay, int start, int end) {
+        for (int i = start; i < end; i++) {
+            double now = v[i], next = Kernel.rest(decay[i] * now);
+            moved[i] = Kernel.position(x[i], dt, lag[i], now, next);
             v[i] = next;
         }
     }

@@ -1,16 +1,18 @@
 package yarts.physics;
 
 /**
- * All that a world's future depends on, and where its units are drawn: what a hash, a save and a restore are about. There
- * is one in a {@link World} and one in a {@link Snapshot}.
+ * Everything that a world's future and the picture of its units depend on: hash, save and restore cover exactly this. A
+ * {@link World} has one, and so has a {@link Snapshot}.
  */
 final class State {
-    final Table table = new Table();
+    Table table = new Table(0);
     final Clock clock;
     Integrator integrator;
-    /** How many units were ever added. */
+    /** The last id that was given to a unit. */
     long lastId;
-    /** Whether the last step is one to interpolate over as far as the clock's remainder goes. */
+    /** The last id that was given before the last step. Units with a higher id did not take part in it. */
+    long lastSteppedId;
+    /** Whether the picture is interpolated over the last step, as far as the clock's remainder reaches. */
     boolean interpolating;
 
     State(Integrator integrator, Timestep timestep) {
@@ -18,34 +20,37 @@ final class State {
         clock = new Clock(timestep);
     }
 
-    /** Becomes what another is; without the frame that is in hand, if one is. */
-    void set(State other) {
+    /** Copies another state, outside of any step. Where memory runs out, this state is unchanged. */
+    void copy(State other) {
         table.copy(other.table);
-        clock.set(other.clock);
+        clock.copy(other.clock);
         integrator = other.integrator;
         lastId = other.lastId;
+        lastSteppedId = other.lastSteppedId;
         interpolating = other.interpolating;
     }
 
     /**
-     * A hash of all this. The change of a single bit always shows, since each step can be undone; and a column of zeros
-     * adds nothing, so that it can be left out.
+     * A hash of all this. A change of a single bit always changes it, since each step of it can be undone. A column of
+     * zeros contributes 0, so it can be omitted.
      */
     long hash() {
-        long h = Clock.mix(clock.hash(integrator.ordinal()), lastId);
-        h = Clock.mix(Clock.mix(h, table.size()), interpolating ? 1 : 0);
-        for (int k = 0; k < table.blocks(); k++) h = hash(h, table.block(k));
+        long h = Clock.mix(Clock.mix(clock.hash(integrator.code), lastId), lastSteppedId);
+        h = Clock.mix(Clock.mix(h, table.size), interpolating ? 1 : 0);
+        for (int k = 0; k < table.tiles(); k++) h = hash(h, table, k);
         return h;
     }
 
-    private static long hash(long h, Columns c) {
-        for (int i = c.start; i < c.end; i++) {
-            long row = c.id[i] * 3 + mix(c.x[i]) * 5 + mix(c.y[i]) * 7 + mix(c.vx[i]) * 11 + mix(c.vy[i]) * 13;
-            row += mix(c.mass[i]) * 17 + mix(c.friction[i]) * 19 + mix(c.maxSpeed[i]) * 23;
-            row += mix(c.previousX[i]) * 29 + mix(c.previousY[i]) * 31;
-            if (c.still) row += mix(c.frozen[i]) * 37;
-            if (c.pushed != Columns.NONE) row += mix(c.fx[i]) * 41 + mix(c.fy[i]) * 43;
-            if (c.pending != Columns.NONE) row += mix(c.pendingX[i]) * 47 + mix(c.pendingY[i]) * 53;
+    private static long hash(long h, Table t, int k) {
+        boolean still = t.still[k], pushed = t.pushed[k], pending = t.pending[k], waiting = t.waiting[k];
+        for (int i = Table.start(k), end = t.end(k); i < end; i++) {
+            long row = t.id[i] * 3 + mix(t.x[i]) * 5 + mix(t.y[i]) * 7 + mix(t.vx[i]) * 11 + mix(t.vy[i]) * 13;
+            row += mix(t.mass[i]) * 17 + mix(t.friction[i]) * 19 + mix(t.maxSpeed[i]) * 23;
+            row += mix(t.previousX[i]) * 29 + mix(t.previousY[i]) * 31;
+            if (still) row += mix(t.frozen[i]) * 37;
+            if (pushed) row += mix(t.fx[i]) * 41 + mix(t.fy[i]) * 43;
+            if (pending) row += mix(t.pendingX[i]) * 47 + mix(t.pendingY[i]) * 53;
+            if (waiting) row += mix(t.waitingX[i]) * 59 + mix(t.waitingY[i]) * 61;
             h = Clock.mix(h, row);
         }
         return h;
@@ -53,7 +58,7 @@ final class State {
 
     private static long mix(double v) {
         long bits = Double.doubleToRawLongBits(v + 0.0) * 0x9E3779B97F4A7C15L; // -0.0 is 0.0
-        bits = (bits ^ (bits >>> 32)) * 0x9E3779B97F4A7C15L; // and again: numbers of few digits have few bits
+        bits = (bits ^ (bits >>> 32)) * 0x9E3779B97F4A7C15L; // again, because numbers with few digits have few bits
         return bits ^ (bits >>> 32);
     }
 }

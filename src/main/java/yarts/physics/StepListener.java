@@ -1,33 +1,28 @@
 package yarts.physics;
 
 /**
- * Is called before and after each step of a {@link World}.
+ * A game's own part of each step of a {@link World}. A world has any number of listeners before the step and after it.
  *
- * <p>Before the step is the place for forces that the game works out anew for every step, such as steering or springs;
- * after it, for corrections of where the step has led, such as out of a wall. Units may be added and removed in both.
- * Stepping, saving or restoring the world from here is an {@link IllegalStateException}.
+ * <pre>{@code
+ * world.addBeforeStep((w, dt) -> steer(w));        // forces that depend on the state of each step
+ * world.addAfterStep((w, dt) -> resolveWalls(w));  // corrections, by Unit.moveTo
+ * }</pre>
  *
- * <p>An exception thrown before a step stops it: it changes no unit, and the forces for it are dropped. One thrown after
- * it does not take it back. Either ends {@code World.advance}, which drops the time of the steps that were yet to come.
+ * <p>A force that is applied before a step acts for exactly that step; one that is applied after a step acts for exactly
+ * the next step, whichever call runs it. Listeners may add and remove units and listeners. They must not step, save or
+ * restore their world, nor set its integrator or timestep: that is an {@link IllegalStateException}.
+ *
+ * <p>If a listener throws an exception, the listeners after it are not called, and the call that runs the step ends with
+ * that exception. Before a step, this also cancels the step: no unit changes, and the forces for it are discarded. In
+ * {@code World.advance}, the time of the steps that have not run is dropped.
  */
 @FunctionalInterface
 public interface StepListener {
     /**
-     * Is called before a step. A force applied here acts for this one step. {@link Unit#setPosition} is a teleport, as it
-     * is between steps: what is drawn starts from there.
+     * Called before or after a step, as the listener was added.
      *
-     * @param world the world about to step
+     * @param world the world
      * @param dt the length of the step, in seconds
      */
-    void beforeStep(World world, double dt);
-
-    /**
-     * Is called after a step. {@link Unit#setPosition} corrects the step's end here: what is drawn runs from where the step
-     * began to the corrected place. A force applied here acts for the next step of the same advance; after its last, it is as
-     * one applied between frames. Does nothing unless it is overridden.
-     *
-     * @param world the world that has stepped
-     * @param dt the length of the step, in seconds
-     */
-    default void afterStep(World world, double dt) {}
+    void onStep(World world, double dt);
 }

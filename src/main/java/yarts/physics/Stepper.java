@@ -1,72 +1,57 @@
 package yarts.physics;
 
-/** A step of a table, block by block, each in its own way: pushed, coasting, or asleep, which costs nothing. */
+/** A step of a table, tile by tile. A tile is pushed, coasting or asleep; one that is asleep costs nothing. */
 final class Stepper implements Crew.Work {
-    /** Fewer blocks are done sooner than a thread wakes. */
+    /** The fewest tiles for a thread. */
     static final int LEAST = 32;
 
-    /** Who does the blocks' work; null if the caller's thread does. */
+    /** Steps between two searches for tiles in which nothing moves. */
+    private static final int PATIENCE = 16;
+
+    /** The threads that do the work; null if the calling thread does it. */
     Crew crew;
 
-    private final Coefficients coefficients = new Coefficients();
     private Table table;
+    private double dt;
+    private int steps;
 
     void step(Table table, double dt, Integrator integrator) {
         this.table = table;
-        coefficients.set(table.size(), dt, integrator);
-        if (crew == null) run(0, table.blocks());
-        else crew.share(this, table.blocks());
+        this.dt = dt;
+        steps++;
+        Coefficients.prepare(table, dt, integrator);
+        int tiles = table.tiles();
+        if (crew != null) crew.share(this, tiles);
+        else for (int k = 0; k < tiles; k++) run(k);
+        table.swapPositions();
     }
 
-    /** The step of some blocks. Rows do not depend on one another, so it does not matter which thread does which. */
+    /** The step of one tile. Rows are independent of one another, so it does not matter which thread does which tile. */
     @Override
-    public void run(int start, int end) {
-        for (int k = start; k < end; k++) step(table.block(k));
+    public void run(int tile) {
+        Table t = table;
+        if (!t.pushed[tile] && (t.asleep[tile] || steps % PATIENCE == 0 && fallsAsleep(t, tile))) return;
+        if (t.stale[tile]) Coefficients.renewTile(t, tile);
+        int start = Table.start(tile), end = t.lanes(tile);
+        if (t.pushed[tile]) Passes.step(t, dt, start, end);
+        else Passes.coast(t, dt, start, end);
+        if (t.still[tile]) keepFrozen(t, start, end);
+        t.pushed[tile] = false;
+        t.asleep[tile] = false;
     }
 
-    private void step(Columns c) {
-        if (c.pushed == Columns.NONE) {
-            if (c.asleep) return;
-            if (!moves(c)) {
-                c.settle();
-                c.asleep = true;
-                return;
-            }
+    /** Lets a tile sleep if nothing moves. It is drawn where it is, in both arrays of positions. */
+    private static boolean fallsAsleep(Table t, int tile) {
+        for (int i = Table.start(tile), end = t.end(tile); i < end; i++) {
+            if ((t.vx[i] != 0 || t.vy[i] != 0) && t.frozen[i] == 0) return false;
         }
-        coefficients.renew(c);
-        if (c.pushed == Columns.NONE) Passes.coast(c);
-        else if (c.pushed == Columns.MANY) Passes.step(c);
-        else stepOne(c, c.pushed);
-        c.pushed = Columns.NONE;
-        c.asleep = false;
+        t.settleTile(tile);
+        t.asleep[tile] = true;
+        return true;
     }
 
-    /** A row that is pushed alone steps alone. The others coast, and leave no trace on it. */
-    private static void stepOne(Columns c, int i) {
-        Kernel.step(c, i);
-        double x = c.x[i], y = c.y[i], vx = c.vx[i], vy = c.vy[i];
-        double previousX = c.previousX[i], previousY = c.previousY[i];
-        Passes.coast(c);
-        c.x[i] = x;
-        c.y[i] = y;
-        c.vx[i] = vx;
-        c.vy[i] = vy;
-        c.previousX[i] = previousX;
-        c.previousY[i] = previousY;
-    }
-
-    private static boolean moves(Columns c) {
-        if (moves(c, c.mover)) return true;
-        for (int i = c.start; i < c.end; i++) {
-            if (moves(c, i)) {
-                c.mover = i;
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private static boolean moves(Columns c, int i) {
-        return i < c.end && (c.vx[i] != 0 || c.vy[i] != 0) && c.frozen[i] == 0;
+    /** Passes move frozen units, too: this undoes it in the new positions. */
+    private static void keepFrozen(Table t, int start, int end) {
+        for (int i = start; i < end; i++) if (t.frozen[i] != 0) t.settle(i);
     }
 }

@@ -2,87 +2,289 @@ package yarts.physics;
 
 import java.util.Arrays;
 
-/** A list of units as {@link Columns}: blocks of as many rows as one can have, and a last one. */
+/**
+ * The state of units: one array per quantity, one row per unit. It grows and copies rows; it knows no physics.
+ *
+ * <p>The rows are divided into tiles, which a step processes one after the other: the data of a tile stays in the cache
+ * from pass to pass. Each tile has flags. A flag that says that rows may have something is conservative: where it is
+ * false, no row has it.
+ *
+ * <p>A table belongs to a world, to a snapshot, or to units outside a world. In the last case its rows are independent:
+ * several threads may use different ones. Nothing reads the flags there, and they are only ever set.
+ */
 final class Table {
-    private Columns[] blocks = {};
-    private int size;
+    private static final int SHIFT = 9;
 
-    int size() {
-        return size;
+    /** Rows of a tile. The arrays that a pass touches fit into a first-level cache of 32 KB. */
+    static final int TILE = 1 << SHIFT;
+
+    /** Loops over a tile cover a multiple of this many rows; see {@link Passes}. */
+    static final int LANES = 32;
+
+    /**
+     * Additional elements of long arrays: a cache line. Arrays whose lengths are powers of two would start at the same
+     * offset within a page, and would then evict one another from the cache.
+     */
+    private static final int LINE = 8;
+
+    /** The names of the columns of the state, in the order of {@link #columns}. */
+    static final String[] STATE = {
+        "x",
+        "y",
+        "vx",
+        "vy",
+        "mass",
+        "friction",
+        "maxSpeed",
+        "frozen",
+        "motorVx",
+        "motorVy",
+        "motorForce",
+        "fx",
+        "fy",
+        "waitingX",
+        "waitingY",
+        "pendingX",
+        "pendingY",
+        "previousX",
+        "previousY"
+    };
+
+    private static final int X = 0, Y = 1, MASS = 4, PREVIOUS_X = 17, PREVIOUS_Y = 18, CAP = 19, COLUMNS = 25;
+
+    /** The world of the rows' units; null outside a world. */
+    Object owner;
+
+    /** The number of rows in use. The others are at rest, with a mass and a cap of 1, because loops run over them, too. */
+    int size;
+
+    /** The id that the world gave to the unit: 1, 2, 3 and so on; 0 if it never was in a world. */
+    long[] id;
+
+    double[] x, y, vx, vy, mass, friction, maxSpeed;
+    /** 1 if frozen, otherwise 0. */
+    double[] frozen;
+    /** The velocity that the motor tries to reach, and its greatest force. */
+    double[] motorVx, motorVy, motorForce;
+    /** The force for the next step, or for the time of the next advance. */
+    double[] fx, fy;
+    /** The force for exactly one step, which a later call runs: it was applied after the last step of a call. */
+    double[] waitingX, waitingY;
+    /** The impulse of forces that acted during elapsed time that no step has covered yet. */
+    double[] pendingX, pendingY;
+    /** The position before the last step, to interpolate from. */
+    double[] previousX, previousY;
+
+    /** The top speed within the numbers with which {@link Kernel} can compute. It follows from the state. */
+    double[] cap;
+    /** The coefficients of {@link Kernel}, which follow from the state for one {@link #dt} and {@link #integrator}. */
+    double[] decay, gain, lag;
+    /** The force that a frame gives to each of its steps, while they run. */
+    double[] frameX, frameY;
+
+    /** All of these columns: those of the state, then the cap, then the others. */
+    private double[][] all;
+
+    /** Tiles in which rows may have a force for the next step, a pending impulse, a waiting force, a frame's force. */
+    boolean[] pushed, pending, waiting, framed;
+    /** Tiles in which rows may be frozen or have a top speed of 0. */
+    boolean[] still;
+    /** Tiles in which nothing moves, or moved in the last step: a step without forces would not change them. */
+    boolean[] asleep;
+    /** Tiles whose coefficients are not those of {@link #dt} and {@link #integrator}. */
+    boolean[] stale;
+
+    /** The step for which the coefficients of all tiles hold that are not stale. */
+    double dt = -1;
+
+    Integrator integrator;
+
+    /** Creates a table with some rows in use, and room for no more. */
+    Table(int size) {
+        this.size = size;
+        int tiles = tiles(size);
+        id = new long[size];
+        pushed = new boolean[tiles];
+        pending = new boolean[tiles];
+        waiting = new boolean[tiles];
+        framed = new boolean[tiles];
+        still = new boolean[tiles];
+        asleep = new boolean[tiles];
+        stale = new boolean[tiles];
+        Arrays.fill(stale, true);
+        double[][] columns = new double[COLUMNS][];
+        for (int k = 0; k < COLUMNS; k++) columns[k] = new double[length(size)];
+        Arrays.fill(columns[MASS], 1);
+        Arrays.fill(columns[CAP], 1);
+        use(columns);
     }
 
-    /** How many blocks have rows. */
-    int blocks() {
-        return (size + Columns.BLOCK - 1) / Columns.BLOCK;
+    private static int length(int capacity) {
+        return capacity < TILE ? capacity : capacity + LINE;
     }
 
-    Columns block(int k) {
-        return blocks[k];
+    private void use(double[][] columns) {
+        all = columns;
+        int k = 0;
+        x = all[k++];
+        y = all[k++];
+        vx = all[k++];
+        vy = all[k++];
+        mass = all[k++];
+        friction = all[k++];
+        maxSpeed = all[k++];
+        frozen = all[k++];
+        motorVx = all[k++];
+        motorVy = all[k++];
+        motorForce = all[k++];
+        fx = all[k++];
+        fy = all[k++];
+        waitingX = all[k++];
+        waitingY = all[k++];
+        pendingX = all[k++];
+        pendingY = all[k++];
+        previousX = all[k++];
+        previousY = all[k++];
+        cap = all[k++];
+        decay = all[k++];
+        gain = all[k++];
+        lag = all[k++];
+        frameX = all[k++];
+        frameY = all[k];
     }
 
-    /** The block of the row with an index in the table. */
-    Columns at(int index) {
-        return blocks[index / Columns.BLOCK];
+    /** {@return the columns of the state, as {@link #STATE} names them} */
+    double[][] columns() {
+        return Arrays.copyOf(all, STATE.length);
     }
 
-    /** The row with an index in the table, as its block counts. */
-    static int row(int index) {
-        return index % Columns.SHARED;
+    /** The number of tiles with rows in use. */
+    int tiles() {
+        return tiles(size);
     }
 
-    long id(int index) {
-        return at(index).id[row(index)];
+    private static int tiles(int rows) {
+        return (rows + TILE - 1) >> SHIFT;
     }
 
-    /** Takes the last row away. */
-    void removeLast() {
-        size--;
-        at(size).clear(row(size));
+    static int tile(int row) {
+        return row >> SHIFT;
     }
 
-    /** Has n rows, no fewer than now. */
-    void resize(int n) {
-        reserve(n);
-        for (int k = size / Columns.BLOCK; k * Columns.BLOCK < n; k++) blocks[k].end = end(k, n);
-        size = n;
+    /** The first row of a tile. */
+    static int start(int tile) {
+        return tile << SHIFT;
     }
 
-    /** Makes room for n rows: all of {@link #resize} that takes memory, and so may fail. */
-    void reserve(int n) {
-        for (int k = size / Columns.BLOCK; k * Columns.BLOCK < n; k++) {
-            if (k == blocks.length) add(n);
-            if (end(k, n) > blocks[k].capacity()) grow(k, n - blocks[k].origin);
-        }
+    /** The end of the rows of a tile that are in use. */
+    int end(int tile) {
+        return Math.min(start(tile + 1), size);
     }
 
-    /** Where block k ends in a table of n rows. */
-    private int end(int k, int n) {
-        return Math.min(n - blocks[k].origin, blocks[k].start + Columns.BLOCK);
+    /** The end of a loop over a tile that may include rows not in use. */
+    int lanes(int tile) {
+        return Math.min(start(tile + 1), roundUp(size));
     }
 
-    /** Adds a block, for a table of n rows. */
-    private void add(int n) {
-        int k = blocks.length, start = row(k * Columns.BLOCK), origin = k * Columns.BLOCK - start;
-        Columns block = start > 0
-                ? new Columns(blocks[k - 1], start)
-                : new Columns(origin, Columns.lanes(Math.min(n - origin, Columns.SHARED)));
-        blocks = Arrays.copyOf(blocks, k + 1);
-        blocks[k] = block;
+    private static int roundUp(int rows) {
+        return (rows + LANES - 1) / LANES * LANES;
     }
 
-    /** Makes room for some rows in the arrays of block k, the last that shares them. */
-    private void grow(int k, int rows) {
-        int first = k - blocks[k].start / Columns.BLOCK;
-        int capacity = Math.max(Columns.lanes(rows), 2 * blocks[k].capacity());
-        blocks[first].grow(Math.min(capacity, Columns.SHARED));
-        for (int j = first + 1; j <= k; j++) blocks[j].share(blocks[first]);
+    /** Makes room for some rows. No other part of an addition takes memory. */
+    void reserve(int rows) {
+        int capacity = id.length;
+        if (rows > capacity) grow(roundUp(Math.max(rows, capacity + capacity / 2)));
     }
 
-    /** The rows of another table become those of this one. */
+    /** Allocates all arrays before it assigns them: if memory runs out, no more than a flag's array is longer. */
+    private void grow(int capacity) {
+        int old = all[MASS].length, length = length(capacity), tiles = tiles(capacity);
+        double[][] columns = new double[COLUMNS][];
+        for (int k = 0; k < COLUMNS; k++) columns[k] = Arrays.copyOf(all[k], length);
+        Arrays.fill(columns[MASS], old, length, 1);
+        Arrays.fill(columns[CAP], old, length, 1);
+        long[] ids = Arrays.copyOf(id, capacity);
+        pushed = Arrays.copyOf(pushed, tiles);
+        pending = Arrays.copyOf(pending, tiles);
+        waiting = Arrays.copyOf(waiting, tiles);
+        framed = Arrays.copyOf(framed, tiles);
+        still = Arrays.copyOf(still, tiles);
+        asleep = Arrays.copyOf(asleep, tiles);
+        boolean[] stales = Arrays.copyOf(stale, tiles);
+        Arrays.fill(stales, stale.length, tiles, true);
+        stale = stales;
+        id = ids;
+        use(columns);
+    }
+
+    /** Copies a row to a row of another table, or of this one. */
+    void copyRow(int i, Table to, int j) {
+        to.id[j] = id[i];
+        for (int k = 0; k < COLUMNS; k++) to.all[k][j] = all[k][i];
+        int tile = tile(j);
+        to.asleep[tile] = false;
+        if (fx[i] != 0 || fy[i] != 0) to.pushed[tile] = true;
+        if (pendingX[i] != 0 || pendingY[i] != 0) to.pending[tile] = true;
+        if (waitingX[i] != 0 || waitingY[i] != 0) to.waiting[tile] = true;
+        if (frameX[i] != 0 || frameY[i] != 0) to.framed[tile] = true;
+        if (frozen[i] != 0 || maxSpeed[i] == 0) to.still[tile] = true;
+    }
+
+    /** Discards the forces on a row that have not acted, or not yet in every step of a frame. */
+    void clearForces(int i) {
+        fx[i] = fy[i] = waitingX[i] = waitingY[i] = pendingX[i] = pendingY[i] = frameX[i] = frameY[i] = 0;
+    }
+
+    /** Discards the forces on all rows. */
+    void clearForces() {
+        for (int i = 0; i < size; i++) clearForces(i);
+    }
+
+    /** Lets a row be drawn where it is: it is not interpolated. */
+    void settle(int i) {
+        previousX[i] = x[i];
+        previousY[i] = y[i];
+    }
+
+    /** Lets all rows of a tile be drawn where they are. */
+    void settleTile(int tile) {
+        int start = start(tile), rows = end(tile) - start;
+        System.arraycopy(x, start, previousX, start, rows);
+        System.arraycopy(y, start, previousY, start, rows);
+    }
+
+    /** Makes the positions the previous ones, and the other way round. */
+    void swapPositions() {
+        all[X] = previousX;
+        all[Y] = previousY;
+        all[PREVIOUS_X] = previousX = x;
+        all[PREVIOUS_Y] = previousY = y;
+        x = all[X];
+        y = all[Y];
+    }
+
+    /** Takes rows from one on out of use. */
+    void truncate(int newSize) {
+        for (double[] column : all) Arrays.fill(column, newSize, size, 0);
+        Arrays.fill(mass, newSize, size, 1);
+        Arrays.fill(cap, newSize, size, 1);
+        Arrays.fill(id, newSize, size, 0);
+        size = newSize;
+    }
+
+    /** Replaces all rows by those of another table. The coefficients become stale. */
     void copy(Table other) {
-        for (int k = other.blocks(); k < blocks(); k++) blocks[k].clear(blocks[k].start);
-        if (other.size > size) resize(other.size);
+        reserve(other.size);
+        if (other.size < size) truncate(other.size);
         size = other.size;
-        for (int k = 0; k < blocks(); k++) blocks[k].copy(other.blocks[k]);
+        for (int k = 0; k <= CAP; k++) System.arraycopy(other.all[k], 0, all[k], 0, size);
+        System.arraycopy(other.id, 0, id, 0, size);
+        int tiles = tiles();
+        System.arraycopy(other.pushed, 0, pushed, 0, tiles);
+        System.arraycopy(other.pending, 0, pending, 0, tiles);
+        System.arraycopy(other.waiting, 0, waiting, 0, tiles);
+        System.arraycopy(other.still, 0, still, 0, tiles);
+        System.arraycopy(other.asleep, 0, asleep, 0, tiles);
+        Arrays.fill(stale, true);
     }
 }

@@ -1,107 +1,102 @@
 package yarts.physics;
 
 import java.util.concurrent.ForkJoinPool;
-import java.util.concurrent.ForkJoinTask;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 
-/** The threads of a pool and the caller's, each of which does a slice of the work. */
+/**
+ * The threads of a pool and the calling thread. All claim pieces of work from one counter. The caller waits only for
+ * pieces that a helper has claimed: if the pool is busy, shut down or without threads, the caller does all of them.
+ */
 final class Team implements Crew {
-    private final ForkJoinPool pool;
-    private final int least;
-    private final Slice[] slices;
+    /** How often the caller looks for the end of the last pieces before it sleeps. */
+    private static final int LOOKS = 1000;
 
-    /** A slice has no fewer than some least things to do: less is done sooner than a thread wakes. */
+    private final ForkJoinPool pool;
+    private final int threads;
+    /** The fewest pieces for a thread: waking it for less takes longer than the work. */
+    private final int least;
+    /** Helpers that wait in the pool and have not begun. */
+    private final AtomicInteger waiting = new AtomicInteger();
+
     Team(ForkJoinPool pool, int least) {
         this.pool = pool;
         this.least = least;
-        boolean common = pool == ForkJoinPool.commonPool(); // its parallelism leaves out the caller
-        slices = new Slice[pool.getParallelism() + (common ? 1 : 0)];
-        for (int i = 0; i < slices.length; i++) slices[i] = new Slice();
+        boolean common = pool == ForkJoinPool.commonPool(); // its parallelism does not count the caller
+        threads = pool.getParallelism() + (common ? 1 : 0);
     }
 
     @Override
     public void share(Work work, int n) {
-        int count = Math.max(1, Math.min(slices.length, n / least));
-        for (int i = count - 1; i >= 0; i--) {
-            slices[i].offer(work, (int) ((long) n * i / count), (int) ((long) n * (i + 1) / count));
-            if (i > 0) submit(slices[i]);
+        int helpers = Math.min(threads, n / least) - 1;
+        Job job = helpers > 0 ? start(work, n, helpers) : null;
+        if (job == null) {
+            for (int i = 0; i < n; i++) work.run(i);
+        } else {
+            job.help();
+            job.await();
         }
-        // What no thread of the pool has taken by now, the caller does: it waits for nobody who has yet to begin.
-        for (int i = 0; i < count; i++) slices[i].take();
-        for (int i = 0; i < count; i++) slices[i].await();
-        for (int i = 0; i < count; i++) slices[i].check();
     }
 
-    private void submit(Slice slice) {
+    /** Submits helpers before any work is done. Returns null if there is no memory for a job. */
+    private Job start(Work work, int n, int helpers) {
+        Job job;
         try {
-            pool.execute(slice);
-        } catch (RuntimeException | Error e) {
-            // The pool is shut down, or has no thread and gets none: the caller takes it.
+            job = new Job(work, n);
+        } catch (OutOfMemoryError e) {
+            return null;
         }
+        try {
+            for (int i = 0; i < helpers && waiting.get() < threads; i++) {
+                waiting.incrementAndGet();
+                pool.execute(() -> {
+                    waiting.decrementAndGet();
+                    job.help();
+                });
+            }
+        } catch (RuntimeException | Error e) {
+            // The pool is shut down or cannot start a thread. A helper may wait in it all the same, so it stays
+            // counted.
+        }
+        return job;
     }
 
-    /**
-     * A task that is never done as such, and so can be submitted again and again, even while it still waits in the pool.
-     * (To reinitialize one that was done and joined is not safe: the thread that did it may yet wake who waits for it, and
-     * so take the waker from the next who waits.) Whoever takes the slice first does it.
-     */
-    private static final class Slice extends ForkJoinTask<Void> {
-        private static final long serialVersionUID = 1;
-        private static final int DONE = 0, OFFERED = 1, TAKEN = 2;
-        /** How often the caller looks before it sleeps. */
-        private static final int LOOKS = 1000;
+    /** The pieces of one call, and how far they are done. */
+    private static final class Job {
+        private final Work work;
+        private final int n;
+        private final Thread caller = Thread.currentThread();
+        private final AtomicInteger next = new AtomicInteger(), done = new AtomicInteger();
+        private volatile Throwable failure;
 
-        private final AtomicInteger state = new AtomicInteger(DONE);
-        // Written before it is offered, and read by who has taken it.
-        private transient Work work;
-        private transient Thread caller;
-        private int start, end;
-        private transient Throwable failure;
-
-        void offer(Work work, int start, int end) {
+        Job(Work work, int n) {
             this.work = work;
-            this.start = start;
-            this.end = end;
-            caller = Thread.currentThread();
-            failure = null;
-            state.set(OFFERED);
+            this.n = n;
         }
 
-        void take() {
-            if (!state.compareAndSet(OFFERED, TAKEN)) return;
-            Thread caller = this.caller;
-            try {
-                work.run(start, end);
-            } catch (Throwable e) {
-                failure = e;
+        /** Claims pieces and does them until all are claimed. */
+        void help() {
+            for (int i = next.getAndIncrement(); i < n; i = next.getAndIncrement()) {
+                try {
+                    work.run(i);
+                } catch (Throwable e) {
+                    failure = e;
+                }
+                if (done.incrementAndGet() == n && Thread.currentThread() != caller) LockSupport.unpark(caller);
             }
-            state.set(DONE);
-            if (caller != Thread.currentThread()) LockSupport.unpark(caller);
         }
 
+        /** Waits until all pieces are done; an interrupt is preserved. Throws what a piece has thrown. */
         void await() {
-            for (int looks = 0; state.get() != DONE; looks++) if (looks > LOOKS) LockSupport.park(this);
-        }
-
-        /** Throws what the work threw. */
-        void check() {
+            boolean interrupted = false;
+            for (int looks = 0; done.get() < n; looks++) {
+                if (looks < LOOKS) continue;
+                LockSupport.park(this);
+                interrupted |= Thread.interrupted();
+            }
+            if (interrupted) Thread.currentThread().interrupt();
             if (failure instanceof Error) throw (Error) failure;
             if (failure != null) throw (RuntimeException) failure;
         }
-
-        @Override
-        protected boolean exec() {
-            take();
-            return false;
-        }
-
-        @Override
-        public Void getRawResult() {
-            return null;
-        }
-
-        @Override
-        protected void setRawResult(Void value) {}
     }
 }

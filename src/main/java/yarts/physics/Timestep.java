@@ -1,22 +1,22 @@
 package yarts.physics;
 
 /**
- * How {@code World.advance} turns the seconds of a frame into steps. Immutable.
+ * The rule by which {@code World.advance} turns the seconds of a frame into steps. Immutable.
  *
  * <pre>{@code
  * Timestep.fixed(60)                   // always 1/60 s: the same steps on every machine
  * Timestep.variable(1 / 30.0)          // as long as the frame, but never longer than 1/30 s
- * Timestep.fixed(60).withMaxSteps(4)   // after a hitch, catch up by at most 4 steps and drop the rest
+ * Timestep.fixed(60).withMaxSteps(4)   // after a long frame, run at most 4 steps and drop the rest of the time
  * }</pre>
  */
 public final class Timestep {
     private static final int MAX_RATE = 1_000_000;
 
-    /** Steps a second, or 0 if variable. */
+    /** Steps per second, or 0 if variable. */
     final int rate;
     /** The longest step; in seconds. */
     final double maxStep;
-    /** The most steps of one advance. */
+    /** The greatest number of steps of one advance. */
     final int maxSteps;
 
     private Timestep(int rate, double maxStep, int maxSteps) {
@@ -26,13 +26,13 @@ public final class Timestep {
     }
 
     /**
-     * Steps of equal length. A frame's time that does not fill a step waits for the next frame, and the forces' impulse
-     * with it. Time is counted in integers, so that no step is lost however long the game runs: whole nanoseconds are
-     * exact, and other times are rounded to 1e-9 of a step, with the error carried on. So n frames of 1.0/n seconds are
-     * one second.
+     * Creates a timestep with steps of equal length. Time that does not fill a step waits for the next frame, and so does
+     * the impulse of forces during that time. Time is counted in integers, so that no step is lost however long the game
+     * runs: whole nanoseconds are exact; other times are rounded to 1e-9 of a step, and the error is carried over to the
+     * next frame. So n frames of 1.0/n seconds are exactly one second.
      *
      * @param stepsPerSecond the rate, from 1 to 1,000,000
-     * @return a policy that catches up by at most a quarter of a second at a time
+     * @return a timestep that runs at most the steps of a quarter of a second at a time
      * @throws IllegalArgumentException if stepsPerSecond is out of range
      */
     public static Timestep fixed(int stepsPerSecond) {
@@ -43,10 +43,11 @@ public final class Timestep {
     }
 
     /**
-     * Steps as long as the frame; a frame longer than maxStep is cut into equal steps that are not.
+     * Creates a timestep with steps as long as the frame. A frame longer than maxStep is divided into equal steps that are
+     * not longer.
      *
      * @param maxStep the longest step, in seconds, from 1e-6 to 1e9
-     * @return a policy that catches up by at most a quarter of a second at a time, or by one step if maxStep is longer
+     * @return a timestep that runs at most a quarter of a second at a time, or one step if maxStep is longer
      * @throws IllegalArgumentException if maxStep is NaN or out of range
      */
     public static Timestep variable(double maxStep) {
@@ -57,11 +58,12 @@ public final class Timestep {
     }
 
     /**
-     * Limits how many steps one {@code World.advance} may run. The time beyond is dropped, with the forces' share of it,
-     * and counted in {@link World#getDroppedTime()}: a game that cannot keep up slows down rather than fall behind further with every frame.
+     * Returns a copy with another limit on the steps of one {@code World.advance}. Time beyond the limit is dropped, with
+     * its share of the forces' impulse, and is counted by {@link World#getDroppedTime()}: a game that cannot keep up slows
+     * down instead of falling behind further with every frame.
      *
-     * @param n the most steps, at least 1
-     * @return a policy like this one with that limit
+     * @param n the greatest number of steps, at least 1
+     * @return a timestep with that limit
      * @throws IllegalArgumentException if n is less than 1
      */
     public Timestep withMaxSteps(int n) {
@@ -69,11 +71,46 @@ public final class Timestep {
         return new Timestep(rate, maxStep, n);
     }
 
-    boolean isFixed() {
+    /** {@return whether steps are of equal length: {@link #fixed}, not {@link #variable}} */
+    public boolean isFixed() {
         return rate > 0;
     }
 
-    /** Says what the policy is, for logs. */
+    /** {@return the rate of fixed steps, in steps per second; 0 if steps are variable} */
+    public int getStepsPerSecond() {
+        return rate;
+    }
+
+    /** {@return the length of the longest step, in seconds: exactly 1/rate if steps are fixed} */
+    public double getMaxStep() {
+        return maxStep;
+    }
+
+    /** {@return the greatest number of steps of one {@code World.advance}} */
+    public int getMaxSteps() {
+        return maxSteps;
+    }
+
+    /**
+     * Compares all properties of two timesteps.
+     *
+     * @param other a timestep, or any other object
+     * @return whether the other is a timestep with the same properties
+     */
+    @Override
+    public boolean equals(Object other) {
+        if (!(other instanceof Timestep)) return false;
+        Timestep that = (Timestep) other;
+        return rate == that.rate && maxStep == that.maxStep && maxSteps == that.maxSteps;
+    }
+
+    /** {@return a hash code of all properties} */
+    @Override
+    public int hashCode() {
+        return 31 * (31 * rate + Double.hashCode(maxStep)) + maxSteps;
+    }
+
+    /** {@return a description for logs: the code that creates an equal timestep} */
     @Override
     public String toString() {
         String steps = isFixed() ? "fixed(" + rate + ")" : "variable(" + maxStep + ")";

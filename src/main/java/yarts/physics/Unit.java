@@ -3,7 +3,7 @@ package yarts.physics;
 import java.io.NotSerializableException;
 
 /**
- * A unit: a point with a mass that forces push, friction slows and a top speed limits. It does not turn.
+ * A unit: a point with a mass, which forces accelerate, friction slows and a top speed limits. It does not turn.
  *
  * <pre>{@code
  * Unit tank = new Unit(40_000).setFriction(8_000).setMaxSpeed(15);
@@ -14,12 +14,20 @@ import java.io.NotSerializableException;
  * <p>A unit works alone, as above, or in a {@link World}, which steps all of its units together. Extend it to add what
  * the game needs ({@code class Tank extends Unit}); the physics cannot be overridden.
  *
- * <p>SI measures throughout: metres, seconds, kilograms, newtons. The accepted range is in the package description; a
- * call that is refused changes nothing. Not safe for use by several threads at once. Not {@link java.io.Serializable}:
- * save a {@link Snapshot}.
+ * <p>All quantities are in SI units: metres, seconds, kilograms, newtons. The package description gives their ranges.
+ * An invalid argument throws an {@link IllegalArgumentException} and changes nothing. Not safe for use by several threads
+ * at once; units outside a world may be used by one thread each. Not {@link java.io.Serializable}: save a
+ * {@link Snapshot}.
+ *
+ * <p>A unit is a handle to a row of arrays. After {@link World#clear} and after a restore by which several units leave,
+ * these units share one set of arrays (208 bytes for each), which any one of them keeps in memory until it joins a world
+ * or is collected. A unit that is removed by itself has arrays of its own, of 1 kB.
  */
-public class Unit extends Row {
-    World world;
+public class Unit {
+    /** The table that contains the state of this unit, and its row there. */
+    Table table;
+
+    int row;
 
     /**
      * Creates a unit at rest at (0, 0), without friction and without a speed cap.
@@ -29,145 +37,149 @@ public class Unit extends Row {
      */
     public Unit(double mass) {
         Check.mass(mass);
-        columns.mass[row] = mass;
-        columns.maxSpeed[row] = Double.POSITIVE_INFINITY;
-    }
-
-    @Override
-    void leave(Columns room) {
-        super.leave(room);
-        world = null;
-    }
-
-    @Override
-    final boolean isMember() {
-        return world != null;
+        table = new Table(1);
+        table.mass[0] = mass;
+        Kernel.setMaxSpeed(table, 0, Double.POSITIVE_INFINITY);
     }
 
     /** {@return the x coordinate, in m} */
     public final double getX() {
-        return columns.x[row];
+        return table.x[row];
     }
 
     /** {@return the y coordinate, in m} */
     public final double getY() {
-        return columns.y[row];
+        return table.y[row];
     }
 
     /** {@return the velocity along x, in m/s} */
     public final double getVx() {
-        return columns.vx[row];
+        return table.vx[row];
     }
 
     /** {@return the velocity along y, in m/s} */
     public final double getVy() {
-        return columns.vy[row];
+        return table.vy[row];
     }
 
     /**
-     * {@return the magnitude of the velocity, in m/s} Never above {@link #getMaxSpeed()}, and equal to it for a unit at its
-     * top speed: what is less than a relative 4e-15 below, as the rounding of two components leaves it, is told as that.
+     * {@return the magnitude of the velocity, in m/s} It never exceeds {@link #getMaxSpeed()}, and equals it for a unit at
+     * its top speed: differences below a relative 4e-15, which are rounding errors of the two components, are ignored.
      */
     public final double getSpeed() {
-        return Kernel.speed(columns, row);
+        return Kernel.speed(table, row);
     }
 
     /**
-     * {@return the force along x that was applied and has not acted yet, in N} In {@link StepListener#beforeStep} it is that
-     * of the step to come. After {@code World.advance} it is 0, but a part of its impulse may be pending.
+     * {@return the force along x that was applied and has not acted yet, in N} In a before-step listener this is the force
+     * of the step that is about to run. After {@code World.advance} it is 0, unless an after-step listener has applied a
+     * force for the next step; a part of the impulse may be pending.
      *
      * @see #getPendingImpulseX()
      */
     public final double getFx() {
-        return columns.fx[row];
+        return table.fx[row] + table.waitingX[row];
     }
 
     /** {@return the force along y that was applied and has not acted yet, in N; see {@link #getFx()}} */
     public final double getFy() {
-        return columns.fy[row];
+        return table.fy[row] + table.waitingY[row];
     }
 
-    /** {@return the impulse along x, in N·s, of forces during time that an advance took in and no step covers yet} */
+    /** {@return the impulse along x, in N·s, of forces that acted during elapsed time not yet covered by a step} */
     public final double getPendingImpulseX() {
-        return columns.pendingX[row];
+        return table.pendingX[row];
     }
 
     /** {@return the pending impulse along y, in N·s; see {@link #getPendingImpulseX()}} */
     public final double getPendingImpulseY() {
-        return columns.pendingY[row];
+        return table.pendingY[row];
     }
 
     /** {@return the mass, in kg} */
     public final double getMass() {
-        return columns.mass[row];
+        return table.mass[row];
     }
 
     /** {@return the friction (linear drag) f of the equation m dv/dt = F − f v, in N·s/m} */
     public final double getFriction() {
-        return columns.friction[row];
+        return table.friction[row];
     }
 
-    /** {@return the top speed, in m/s; infinite if there is none} */
+    /** {@return the top speed, in m/s; infinite if there is no cap} */
     public final double getMaxSpeed() {
-        return columns.maxSpeed[row];
+        return table.maxSpeed[row];
     }
 
     /** {@return whether the unit is frozen; see {@link #setFrozen}} */
     public final boolean isFrozen() {
-        return columns.frozen[row] != 0;
+        return table.frozen[row] != 0;
     }
 
     /**
-     * {@return the id that its world gave this unit when it was added} The first unit of a world gets 1, the next 2; none is
-     * given twice. A removed unit keeps it until it is added again. It is 0 before.
+     * {@return the id that its world gave this unit when it was added} The first unit of a world gets 1, the next one 2; no
+     * id is given twice. A removed unit keeps its id until it is added again. Before, it is 0.
      *
      * @see World#find
      */
     public final long getId() {
-        return columns.id[row];
-    }
-
-    /** {@return the world this unit is in, or null} */
-    public final World getWorld() {
-        return world;
+        return table.id[row];
     }
 
     /**
-     * {@return the x coordinate to draw at, in m: as far between those before and after the world's last fixed step as
-     * {@link World#getAlpha()} says; x itself where there is nothing to interpolate}
+     * {@return the index of this unit in its world, from 0 to size − 1, or −1 outside a world} The removal of another unit
+     * may change it.
+     *
+     * @see World#get
+     */
+    public final int getIndex() {
+        return table.owner == null ? -1 : row;
+    }
+
+    /** {@return the world that this unit is in, or null} */
+    public final World getWorld() {
+        return (World) table.owner;
+    }
+
+    /**
+     * {@return the x coordinate to draw at, in m} It lies between the positions before and after the world's last fixed
+     * step, at the fraction {@link World#getAlpha()}. Where there is nothing to interpolate, it is {@link #getX()}.
      */
     public final double getInterpolatedX() {
-        return world == null ? getX() : getInterpolatedX(world.drawn());
+        World world = getWorld();
+        return world == null ? getX() : getInterpolatedX(world.drawnAlpha());
     }
 
     /** {@return the y coordinate to draw at, in m; see {@link #getInterpolatedX()}} */
     public final double getInterpolatedY() {
-        return world == null ? getY() : getInterpolatedY(world.drawn());
+        World world = getWorld();
+        return world == null ? getY() : getInterpolatedY(world.drawnAlpha());
     }
 
     /**
-     * {@return the x coordinate between those before and after the last step, in m, for a game that keeps the time itself}
+     * {@return the x coordinate between the positions before and after the last step, in m, for a game that keeps the time
+     * itself}
      *
-     * @param alpha from the former, 0, to the latter, 1
+     * @param alpha the fraction, from 0 (before) to 1 (after)
      * @throws IllegalArgumentException if alpha is out of range
      */
     public final double getInterpolatedX(double alpha) {
-        return Bulk.between(columns.previousX[row], getX(), Check.part("alpha", alpha));
+        return Bulk.between(table.previousX[row], getX(), Check.part("alpha", alpha));
     }
 
     /**
      * {@return the y coordinate; see {@link #getInterpolatedX(double)}}
      *
-     * @param alpha from 0 to 1
+     * @param alpha the fraction, from 0 to 1
      * @throws IllegalArgumentException if alpha is out of range
      */
     public final double getInterpolatedY(double alpha) {
-        return Bulk.between(columns.previousY[row], getY(), Check.part("alpha", alpha));
+        return Bulk.between(table.previousY[row], getY(), Check.part("alpha", alpha));
     }
 
     /**
-     * Puts the unit somewhere else. It is a teleport: it is drawn there at once, without a streak. Only in {@link
-     * StepListener#afterStep} it corrects where the step has led, and what is drawn runs there.
+     * Places the unit at another position. This is a teleport: it is drawn there at once. To let it be drawn on its way,
+     * use {@link #moveTo}.
      *
      * @param x in m
      * @param y in m
@@ -177,17 +189,43 @@ public class Unit extends Row {
     public final Unit setPosition(double x, double y) {
         x = Check.finite("x", x);
         y = Check.finite("y", y);
-        Columns c = columns;
-        c.x[row] = x;
-        c.y[row] = y;
-        c.wake(row);
-        boolean far = Double.isInfinite(x - c.previousX[row]) || Double.isInfinite(y - c.previousY[row]);
-        if (far || world == null || !world.corrects(this)) c.settle(row);
+        table.x[row] = x;
+        table.y[row] = y;
+        table.settle(row);
         return this;
     }
 
     /**
-     * Sets the velocity; one past the top speed is cut to it, keeping the direction.
+     * Moves the unit to another position. It is drawn moving there, from its position before the last step: use it to keep
+     * units out of walls, and for lifts and trains. Where there is no such position (outside a world, or if the unit was
+     * added since that step, or if it is infinitely far away), this is {@link #setPosition}.
+     *
+     * @param x in m
+     * @param y in m
+     * @return this unit
+     * @throws IllegalArgumentException if a coordinate is not finite
+     */
+    public final Unit moveTo(double x, double y) {
+        x = Check.finite("x", x);
+        y = Check.finite("y", y);
+        World world = getWorld();
+        boolean stepped = world != null && world.hasStepped(this);
+        boolean near = Math.abs(x - table.previousX[row]) <= Double.MAX_VALUE
+                && Math.abs(y - table.previousY[row]) <= Double.MAX_VALUE;
+        if (!stepped || !near) return setPosition(x, y);
+        table.x[row] = x;
+        table.y[row] = y;
+        wake();
+        return this;
+    }
+
+    /** Follows a change by which the next step would change the row even without forces. */
+    private void wake() {
+        table.asleep[Table.tile(row)] = false;
+    }
+
+    /**
+     * Sets the velocity. One above the top speed is reduced to it; the direction stays.
      *
      * @param vx in m/s
      * @param vy in m/s
@@ -200,8 +238,8 @@ public class Unit extends Row {
     }
 
     private void accept(double vx, double vy) {
-        Kernel.accept(columns, row, vx, vy);
-        columns.wake(row);
+        Kernel.accept(table, row, vx, vy);
+        wake();
     }
 
     /**
@@ -212,81 +250,81 @@ public class Unit extends Row {
      * @throws IllegalArgumentException if the mass is out of range
      */
     public final Unit setMass(double mass) {
-        columns.mass[row] = Check.mass(mass);
-        columns.renew();
+        table.mass[row] = Check.mass(mass);
+        Coefficients.renewRow(table, row);
         return this;
     }
 
     /**
-     * Sets the friction, a linear drag f·v: under a constant force F the unit tends to the speed F/f.
+     * Sets the friction, a linear drag f·v: under a constant force F the unit approaches the speed F/f.
      *
      * @param friction f in N·s/m, from 0 to 1e50
      * @return this unit
      * @throws IllegalArgumentException if the friction is out of range
      */
     public final Unit setFriction(double friction) {
-        columns.friction[row] = Check.friction(friction);
-        columns.renew();
+        table.friction[row] = Check.friction(friction);
+        Coefficients.renewRow(table, row);
         return this;
     }
 
     /**
-     * Sets the top speed; what is faster is cut to it at once, keeping the direction. 0 pins: nothing moves the unit, and its
-     * velocity is gone. To keep that, {@linkplain #setFrozen freeze} it.
+     * Sets the top speed. A higher speed is reduced to it at once; the direction stays. A unit with a top speed of 0 is
+     * pinned: nothing moves it, and its velocity is 0. To keep the velocity, {@linkplain #setFrozen freeze} the unit.
      *
-     * @param maxSpeed in m/s, at least 0; infinite for no cap
+     * @param maxSpeed in m/s, at least 0; infinite for no cap; below 2<sup>-500</sup> it becomes 0
      * @return this unit
      * @throws IllegalArgumentException if maxSpeed is negative or NaN
      */
     public final Unit setMaxSpeed(double maxSpeed) {
-        maxSpeed = Check.maxSpeed(maxSpeed);
-        columns.maxSpeed[row] = maxSpeed;
-        if (maxSpeed < Kernel.REST) columns.still = true;
-        columns.renew();
+        Kernel.setMaxSpeed(table, row, Check.maxSpeed(maxSpeed));
+        if (getMaxSpeed() == 0) table.still[Table.tile(row)] = true;
+        Coefficients.renewRow(table, row);
         accept(getVx(), getVy());
         return this;
     }
 
     /**
-     * Freezes the unit, such as a tank in a transport, or lets it go. A frozen unit keeps its id, index, position and
-     * velocity, but does not move; forces and impulses leave no trace on it, now or later.
+     * Freezes the unit, such as a tank in a transport, or releases it. A frozen unit keeps its id, index, position and
+     * velocity, but does not move. Forces and impulses have no effect on it, neither now nor after its release.
      *
      * @param frozen whether it is frozen
      * @return this unit
      */
     public final Unit setFrozen(boolean frozen) {
         if (frozen == isFrozen()) return this;
-        columns.frozen[row] = frozen ? 1 : 0;
-        if (frozen) columns.still = true;
-        columns.renew();
-        accept(getVx(), getVy()); // what is all but at rest is so: it would get there only beside others that move
+        table.frozen[row] = frozen ? 1 : 0;
+        if (frozen) table.still[Table.tile(row)] = true;
+        Coefficients.renewRow(table, row);
+        accept(getVx(), getVy()); // a velocity below the threshold would become 0 only in steps of its tile
         clearForces();
         return this;
     }
 
     /**
-     * Adds a force, which acts for the time by which the unit is advanced next: the dt of {@link #integrate(double)} and
-     * {@code World.step(dt)}, the elapsed time of {@code World.advance}, or the one step that a {@link StepListener} is
-     * called before. Forces add up until then.
+     * Adds a force. It acts for the time by which the unit is advanced next: the dt of {@link #integrate(double)} or
+     * {@code World.step(dt)}, or the elapsed time of {@code World.advance}. In a {@link StepListener} it acts for exactly
+     * one step: the one that is about to run, or after a step the next one. Forces add up until then.
      *
      * @param fx in N, at most 1e50 in magnitude
-     * @param fy likewise
+     * @param fy in N, at most 1e50 in magnitude
      * @throws IllegalArgumentException if a component is out of range
      */
     public final void applyForce(double fx, double fy) {
         Check.push("fx", fx);
         Check.push("fy", fy);
-        if (columns.still && isFrozen()) return;
-        columns.fx[row] += fx;
-        columns.fy[row] += fy;
-        columns.push(row);
+        Table t = table;
+        int i = row;
+        t.fx[i] += fx;
+        t.fy[i] += fy;
+        t.pushed[Table.tile(i)] = true;
     }
 
     /**
-     * Changes the velocity at once by j/m, as a kick or a collision does; past the top speed it is cut to it.
+     * Changes the velocity at once by j/m, as a kick or a collision does. One above the top speed is reduced to it.
      *
      * @param jx in N·s, at most 1e50 in magnitude
-     * @param jy likewise
+     * @param jy in N·s, at most 1e50 in magnitude
      * @throws IllegalArgumentException if a component is out of range
      */
     public final void applyImpulse(double jx, double jy) {
@@ -295,9 +333,9 @@ public class Unit extends Row {
         if (!isFrozen()) accept(getVx() + jx / getMass(), getVy() + jy / getMass());
     }
 
-    /** Forgets every force that has not acted yet, and the impulse that is pending. */
+    /** Discards all forces that have not acted yet, and the pending impulse. */
     public final void clearForces() {
-        columns.clearForces(row);
+        table.clearForces(row);
     }
 
     /**
@@ -311,34 +349,45 @@ public class Unit extends Row {
     }
 
     /**
-     * Steps this unit alone, and clears the forces: as {@code World.step(dt)}, to the bit.
+     * Steps this unit alone, and clears the forces: the same bits as {@code World.step(dt)}.
      *
      * @param dt in seconds, from 0 to 1e9
      * @param integrator the integrator
      * @throws IllegalArgumentException if dt is out of range
      */
     public final void integrate(double dt, Integrator integrator) {
+        dt = Check.time("dt", dt);
         Check.notNull("integrator", integrator);
-        Coefficients.renew(columns, row, Check.time("dt", dt), integrator);
-        Kernel.step(columns, row);
-        columns.settle(row);
+        Table t = table;
+        int i = row;
+        t.fx[i] += t.waitingX[i];
+        t.fy[i] += t.waitingY[i];
+        t.waitingX[i] = t.waitingY[i] = 0;
+        Coefficients.setRow(t, i, dt, integrator);
+        Kernel.step(t, i, dt);
+        Coefficients.renewRow(t, i); // those of its world's steps again
+        t.settle(i);
+        wake();
     }
 
     /**
-     * Refuses to be serialised, as what came back would have lost its physics.
+     * Prevents the serialization of a subclass that is {@link java.io.Serializable}: the object that is read back would
+     * have no physics.
      *
      * @return nothing
-     * @throws NotSerializableException always; it says what to save instead
+     * @throws NotSerializableException always; the message says what to save instead
      */
     protected final Object writeReplace() throws NotSerializableException {
         throw new NotSerializableException(
                 getClass().getName() + " is a Unit: save a Snapshot, and its own fields by id");
     }
 
-    /** Says where the unit is and how it moves, for logs. */
+    /** {@return a description for logs: class, id, position, velocity, mass, friction, top speed, and whether it is frozen} */
     @Override
     public String toString() {
-        return getClass().getSimpleName() + "[x=" + getX() + ", y=" + getY() + ", vx=" + getVx() + ", vy=" + getVy()
-                + ", mass=" + getMass() + "]";
+        return getClass().getSimpleName() + "#" + getId() + "[x=" + getX() + ", y=" + getY() + ", vx=" + getVx()
+                + ", vy="
+                + getVy() + ", mass=" + getMass() + ", friction=" + getFriction() + ", maxSpeed=" + getMaxSpeed()
+                + (isFrozen() ? ", frozen]" : "]");
     }
 }

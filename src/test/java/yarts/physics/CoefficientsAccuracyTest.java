@@ -13,12 +13,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * The four coefficients of a step, against the formulas of {@link Integrator} in 60 digits, as functions of z: where mass and
+ * Decay, gain and lag, against the formulas of {@link Integrator} in 60 digits, as functions of z: where mass and
  * dt are 1, and so z is the friction, without a rounding error of its own. The worst found in a million points is printed
  * by the long test; none may be worse than what docs/quality.md says.
  */
 class CoefficientsAccuracyTest {
-    private static final String[] NAMES = {"decay", "gain", "before", "after"};
+    private static final String[] NAMES = {"decay", "gain", "lag"};
 
     /** 60 digits, and as many as the difference 1 − e^−z may lose. */
     private static final MathContext DIGITS = new MathContext(76);
@@ -28,9 +28,10 @@ class CoefficientsAccuracyTest {
     /** The most that is allowed, in ulp; by the integrator, in the order of NAMES. */
     private static double[] most(Integrator integrator) {
         return switch (integrator) {
-            case EULER -> new double[] {0.5, 0.5, 0, 0};
-            case MIDPOINT -> new double[] {2, 1.5, 0, 0};
-            case EXACT -> new double[] {1.5, 2, 4.5, 2.5};
+            case EULER -> new double[] {0.5, 0.5, 0};
+            case SEMI_IMPLICIT -> new double[] {1.5, 1.5, 0};
+            case MIDPOINT -> new double[] {2, 1.5, 0};
+            case EXACT -> new double[] {1.5, 2, 4.5};
         };
     }
 
@@ -51,7 +52,7 @@ class CoefficientsAccuracyTest {
 
     private static void assertWithin(Integrator integrator, double[] worst) {
         double[] most = most(integrator);
-        for (int k = 0; k < 4; k++)
+        for (int k = 0; k < 3; k++)
             assertTrue(worst[k] <= most[k], integrator + " " + NAMES[k] + ": " + worst[k] + " ulp");
     }
 
@@ -61,7 +62,7 @@ class CoefficientsAccuracyTest {
         return IntStream.range(0, points + borders.length)
                 .parallel()
                 .mapToObj(i -> errors(integrator, i < points ? random(seed, i) : borders[i - points]))
-                .reduce(new double[4], CoefficientsAccuracyTest::max);
+                .reduce(new double[3], CoefficientsAccuracyTest::max);
     }
 
     /** Nearly uniform in the logarithm, from 1e-12 to 1e4; and one of three where the branches are. */
@@ -80,30 +81,28 @@ class CoefficientsAccuracyTest {
     }
 
     private static double[] errors(Integrator integrator, double z) {
-        Columns c = new Columns(0, Columns.LANES);
-        c.end = 1;
-        c.friction[0] = z;
-        c.maxSpeed[0] = Double.POSITIVE_INFINITY;
-        Coefficients coefficients = new Coefficients();
-        coefficients.set(1, 1, integrator);
-        coefficients.renew(c);
-        double[] all = {c.decay[0], c.gain[0], c.before[0], c.after[0]};
+        Table t = new Table(0);
+        t.reserve(1);
+        t.size = 1;
+        t.friction[0] = z;
+        Coefficients.prepare(t, 1, integrator);
+        Coefficients.renewTile(t, 0);
+        double[] all = {t.decay[0], t.gain[0], t.lag[0]};
         BigDecimal[] exact = exact(integrator, z);
-        double[] errors = new double[4];
-        for (int k = 0; k < 4; k++) {
+        double[] errors = new double[3];
+        for (int k = 0; k < 3; k++) {
             double error = exact[k].subtract(new BigDecimal(all[k])).abs().doubleValue();
             double value = exact[k].doubleValue();
             boolean gone = k == 0 && value < 1e-304; // of the fastest velocity, this decay leaves rest
             errors[k] = gone && all[k] <= 1e-304 ? 0 : error / Math.ulp(value);
         }
         // The step of a lone unit works the same out elsewhere.
-        Columns lone = new Columns(0, Columns.LANES);
-        lone.end = 1;
+        Table lone = new Table(1);
         lone.friction[0] = z;
-        lone.maxSpeed[0] = Double.POSITIVE_INFINITY;
-        Coefficients.renew(lone, 0, 1, integrator);
-        double[] again = {lone.decay[0], lone.gain[0], lone.before[0], lone.after[0]};
-        assertTrue(Arrays.equals(all, again), "alone and in a block, z = " + z);
+        Kernel.setMaxSpeed(lone, 0, Double.POSITIVE_INFINITY);
+        Coefficients.setRow(lone, 0, 1, integrator);
+        double[] again = {lone.decay[0], lone.gain[0], lone.lag[0]};
+        assertTrue(Arrays.equals(all, again), "alone and in a tile, z = " + z);
         return errors;
     }
 
@@ -111,26 +110,24 @@ class CoefficientsAccuracyTest {
         BigDecimal z = new BigDecimal(friction);
         switch (integrator) {
             case EULER:
-                return new BigDecimal[] {
-                    BigDecimal.ZERO.max(ONE.subtract(z)), ONE.divide(ONE.max(z), DIGITS), ONE, BigDecimal.ZERO
-                };
+                return new BigDecimal[] {BigDecimal.ZERO.max(ONE.subtract(z)), ONE.divide(ONE.max(z), DIGITS), ONE};
+            case SEMI_IMPLICIT:
+                BigDecimal implicit = ONE.divide(ONE.add(z), DIGITS);
+                return new BigDecimal[] {implicit, implicit, BigDecimal.ZERO};
             case MIDPOINT:
                 BigDecimal half = z.multiply(HALF), more = ONE.add(half);
                 return new BigDecimal[] {
-                    BigDecimal.ZERO.max(ONE.subtract(half).divide(more, DIGITS)),
-                    ONE.divide(more.max(z), DIGITS),
-                    HALF,
-                    HALF
+                    BigDecimal.ZERO.max(ONE.subtract(half).divide(more, DIGITS)), ONE.divide(more.max(z), DIGITS), HALF
                 };
             default:
                 BigDecimal decay = BigDecimalMath.exp(z.negate(), DIGITS), lost = ONE.subtract(decay);
                 BigDecimal after = ONE.divide(lost, DIGITS).subtract(ONE.divide(z, DIGITS));
-                return new BigDecimal[] {decay, lost.divide(z, DIGITS), ONE.subtract(after), after};
+                return new BigDecimal[] {decay, lost.divide(z, DIGITS), ONE.subtract(after)};
         }
     }
 
     private static double[] max(double[] a, double[] b) {
-        double[] max = new double[4];
+        double[] max = new double[3];
         Arrays.setAll(max, k -> Math.max(a[k], b[k]));
         return max;
     }

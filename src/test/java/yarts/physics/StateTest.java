@@ -17,16 +17,19 @@ class StateTest {
     /** A field is in the hash and in saves, or is worked out from those that are, or lasts for a frame. */
     @Test
     void noFieldIsForgotten() {
-        Stream<String> known = Stream.of(Columns.STATE);
-        Stream<String> working = Stream.of("cap", "decay", "gain", "before", "after", "frameX", "frameY");
-        assertFields(Columns.class, double[].class, Stream.concat(known, working));
-        assertFields(Columns.class, long[].class, Stream.of("id"));
-        assertFields(State.class, null, Stream.of("table", "clock", "integrator", "lastId", "interpolating"));
+        Stream<String> known = Stream.of(Table.STATE);
+        Stream<String> working = Stream.of("cap", "decay", "gain", "lag", "frameX", "frameY");
+        assertFields(Table.class, double[].class, Stream.concat(known, working));
+        assertFields(Table.class, long[].class, Stream.of("id"));
+        Stream<String> flags = Stream.of("pushed", "pending", "waiting", "framed", "still", "asleep", "stale");
+        assertFields(Table.class, boolean[].class, flags);
+        Stream<String> state = Stream.of("table", "clock", "integrator", "lastId", "lastSteppedId", "interpolating");
+        assertFields(State.class, null, state);
         Stream<String> counts = Stream.of("tick", "regular", "remainder", "droppedSteps", "remainderError");
         assertFields(Clock.class, null, Stream.concat(counts, Stream.of("timestep", "irregular", "dropped")));
         assertFields(Timestep.class, null, Stream.of("rate", "maxStep", "maxSteps"));
         assertEquals(5 + 2 * 2, Clock.STATE.length, "two sums have an error, too");
-        assertEquals(Saves.STATE, List.of(Columns.STATE), "as the document names them");
+        assertEquals(Saves.STATE, List.of(Table.STATE), "as the document names them");
     }
 
     /** Of a type, or of any. */
@@ -43,9 +46,10 @@ class StateTest {
     void theSignOfZeroShowsNowhere() {
         World world = new World();
         for (int i = 1; i <= 100; i++) world.add(new Unit(i).setFrozen(true)).applyForce(i, -i);
+        world.addAfterStep((w, dt) -> w.forEach(unit -> unit.applyForce(1, 2)));
         world.advance(0.04);
-        for (double[] column : world.get(0).columns.state()) {
-            if (column == world.get(0).columns.mass) continue;
+        for (double[] column : world.state.table.columns()) {
+            if (column == world.state.table.mass) continue;
             Arrays.fill(column, 10, 20, 0.0);
             long hash = world.stateHash();
             Snapshot zeros = world.save();

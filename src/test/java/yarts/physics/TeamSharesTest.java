@@ -33,11 +33,7 @@ class TeamSharesTest {
 
     private static void shareOnce(Team team) {
         AtomicIntegerArray times = new AtomicIntegerArray(THINGS);
-        team.share(
-                (start, end) -> {
-                    for (int i = start; i < end; i++) times.incrementAndGet(i);
-                },
-                THINGS);
+        team.share(times::incrementAndGet, THINGS);
         int[] once = new int[THINGS], done = new int[THINGS];
         Arrays.fill(once, 1);
         for (int i = 0; i < THINGS; i++) done[i] = times.get(i);
@@ -59,15 +55,21 @@ class TeamSharesTest {
     /** The pool is busy; what it was offered time after time still waits in it when its threads come to it at last. */
     @Test
     void whatWaitsInThePoolFromBeforeDoesNoHarm() throws Exception {
-        CountDownLatch busy = new CountDownLatch(1);
-        for (int i = 0; i < 4; i++) pool.execute(() -> awaitQuietly(busy));
+        CountDownLatch busy = new CountDownLatch(1), begun = new CountDownLatch(4);
+        for (int i = 0; i < 4; i++) {
+            pool.execute(() -> {
+                begun.countDown();
+                awaitQuietly(busy);
+            });
+        }
+        begun.await();
         for (int i = 0; i < 100; i++) shareOnce(team);
-        assertTrue(pool.hasQueuedSubmissions(), "nobody has come to the offers");
+        assertEquals(4, pool.getQueuedSubmissionCount(), "helpers that have not begun, and no more than threads");
         AtomicLong sum = new AtomicLong();
         team.share(
-                (start, end) -> {
-                    if (start == 0) busy.countDown(); // now they come, in the middle of this one
-                    sum.addAndGet(end - start);
+                i -> {
+                    if (i == 0) busy.countDown(); // now they come, in the middle of this one
+                    sum.incrementAndGet();
                 },
                 THINGS);
         assertEquals(THINGS, sum.get());
@@ -84,24 +86,24 @@ class TeamSharesTest {
     }
 
     @Test
-    void whatASliceThrowsComesOutOnceAllOthersAreDone() {
-        for (int i = 0; i < 200; i++) {
-            int bad = i % 4 * 16;
+    void whatAPieceThrowsComesOutOnceAllOthersAreDone() {
+        for (int k = 0; k < 200; k++) {
+            int bad = k % THINGS;
             AtomicLong others = new AtomicLong();
-            Error error = new AssertionError("thrown by a slice");
-            RuntimeException exception = new IllegalStateException("thrown by a slice");
-            boolean isError = i % 8 < 4;
+            Error error = new AssertionError("thrown by a piece");
+            RuntimeException exception = new IllegalStateException("thrown by a piece");
+            boolean isError = k % 8 < 4;
             Throwable thrown = assertThrows(
                     Throwable.class,
                     () -> team.share(
-                            (start, end) -> {
-                                if (start == bad && isError) throw error;
-                                if (start == bad) throw exception;
-                                others.addAndGet(end - start);
+                            i -> {
+                                if (i == bad && isError) throw error;
+                                if (i == bad) throw exception;
+                                others.incrementAndGet();
                             },
                             THINGS));
             assertSame(isError ? error : exception, thrown);
-            assertEquals(THINGS - 16, others.get());
+            assertEquals(THINGS - 1, others.get());
             shareOnce(team);
         }
     }
@@ -120,13 +122,13 @@ class TeamSharesTest {
         for (int i = 0; i < 1000; i++) shareOnce(team);
     }
 
-    /** Each slice waits until as many threads have begun one. The caller alone would wait for ever. */
+    /** Each piece waits until as many threads have begun one. The caller alone would wait for ever. */
     @Test
-    void slicesRunAtTheSameTimeAgainAndAgain() {
+    void piecesRunAtTheSameTimeAgainAndAgain() {
         for (int i = 0; i < 100; i++) {
             CountDownLatch begun = new CountDownLatch(4);
             team.share(
-                    (start, end) -> {
+                    piece -> {
                         begun.countDown();
                         awaitQuietly(begun);
                     },

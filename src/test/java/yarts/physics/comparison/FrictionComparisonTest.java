@@ -1,6 +1,7 @@
 package yarts.physics.comparison;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -234,6 +235,30 @@ class FrictionComparisonTest {
         Entry ours = new Entry("", () -> new Ours(integrator));
         for (double dt : new double[] {1 / 240.0, 1 / 120.0, 1 / 60.0, 1 / 20.0, 0.1, 0.2, 0.5, 10}) {
             assertEquals(TERMINAL, push(ours, dt, 5000), 1e-11, "dt = " + dt);
+        }
+    }
+
+    /** A spring of 10 rad/s, computed before each step, from 1 m: the new velocity moves a body in all engines. */
+    @Test
+    void aSpringGainsNoEnergyInThePeersAndUnderSemiImplicit() {
+        List<Entry> entries = new ArrayList<>(peersThatDampLast());
+        entries.add(GDX_BOX2D);
+        int peers = entries.size();
+        entries.addAll(ours());
+        for (int k = 0; k < entries.size(); k++) {
+            Entry entry = entries.get(k);
+            Engine engine = entry.engine.get();
+            Engine.Body body = engine.add(1, 0, 1, 0);
+            double swing = 0;
+            for (int i = 0; i < 6000; i++) {
+                body.push(-100 * body.x());
+                engine.step(Loop.TICK);
+                if (Math.abs(body.x()) > 10) break;
+                swing = Math.max(swing, Math.abs(body.x()));
+            }
+            boolean keeps = k < peers || entry.name.equals("`SEMI_IMPLICIT`");
+            if (keeps) assertEquals(1 / Math.sqrt(1 - 1 / 144.0), swing, 1e-3, entry.name);
+            else assertTrue(swing > 9, entry.name + ": " + swing);
         }
     }
 

@@ -11,7 +11,7 @@ public final class JitterTable {
     static final double FRICTION = 10; // N·s/m
     static final double MASS = 1; // kg
     private static final double[] DTS = {0.05, 0.1, 0.15, 0.2, 0.25, 0.3}; // s
-    private static final Rule[] RULES = {Rule.NAIVE, Rule.EULER, Rule.MIDPOINT, Rule.EXACT};
+    private static final Rule[] RULES = {Rule.NAIVE, Rule.EULER, Rule.SEMI_IMPLICIT, Rule.MIDPOINT, Rule.EXACT};
     private static final int STEPS = 6;
 
     /** A line of the table: the velocities at the start and after each step. */
@@ -44,16 +44,16 @@ public final class JitterTable {
         out.println("The jitters: m = 1 kg, f = 10 N s/m, v = 10 m/s, and nothing pushes: friction should bring");
         out.println("the unit to rest. The naive rule is v' = v - (f v/m) dt.  z = f dt/m,  ! = turned round.");
         out.printf("%nVelocity after one step, in m/s%n%n  dt, s    z");
-        for (Rule rule : RULES) out.printf("%11s ", rule);
+        for (Rule rule : RULES) out.printf("%14s ", rule);
         for (Line line : lines()) {
             if (line.rule == RULES[0]) out.printf(Locale.ROOT, "%n   %.2f  %.1f", line.dt, line.z());
-            out.print(cell(line, 1));
+            out.print("   " + cell(line, 1));
         }
-        out.printf("%n%nVelocity step by step, in m/s%n%n  dt, s    z  rule    ");
+        out.printf("%n%nVelocity step by step, in m/s%n%n  dt, s    z  rule         ");
         for (int step = 1; step <= STEPS; step++) out.printf("%11s ", "step " + step);
         for (Line line : lines()) {
-            if (line.rule == RULES[0]) out.printf(Locale.ROOT, "%n   %.2f  %.1f  %-8s", line.dt, line.z(), line.rule);
-            else out.printf("%n%14s%-8s", "", line.rule);
+            if (line.rule == RULES[0]) out.printf(Locale.ROOT, "%n   %.2f  %.1f  %-13s", line.dt, line.z(), line.rule);
+            else out.printf("%n%14s%-13s", "", line.rule);
             for (int step = 1; step <= STEPS; step++) out.print(cell(line, step));
         }
         out.println();

@@ -25,6 +25,7 @@ public final class Plots {
     private static final Color VERMILION = new Color(0xD55E00);
     private static final Color ORANGE = new Color(0xE69F00);
     private static final Color BLUE = new Color(0x0072B2);
+    private static final Color SKY = new Color(0x56B4E9);
     private static final Color GREEN = new Color(0x009E73);
     private static final Color PURPLE = new Color(0xCC79A7);
     private static final Color GREY = new Color(0x666666);
@@ -51,6 +52,7 @@ public final class Plots {
         overTime(chart, "naive, z = 2.1", Rule.NAIVE, 0.21, v, force, ORANGE, SeriesMarkers.TRIANGLE_UP);
         overTime(chart, "naive, z = 1.8", Rule.NAIVE, 0.18, v, force, VERMILION, SeriesMarkers.CIRCLE);
         overTime(chart, "EULER, z = 1.8", Rule.EULER, 0.18, v, force, BLUE, SeriesMarkers.SQUARE);
+        overTime(chart, "SEMI_IMPLICIT, z = 1.8", Rule.SEMI_IMPLICIT, 0.18, v, force, SKY, SeriesMarkers.TRIANGLE_DOWN);
         overTime(chart, "MIDPOINT, z = 1.8", Rule.MIDPOINT, 0.18, v, force, GREEN, SeriesMarkers.DIAMOND);
         overTime(chart, "EXACT, z = 1.8", Rule.EXACT, 0.18, v, force, Color.BLACK, SeriesMarkers.CROSS);
         return chart;
@@ -77,8 +79,9 @@ public final class Plots {
         curve(chart, "damp, then push: v' = v·max(0, 1 − z) + F·dt/m", Rule.DAMP_THEN_PUSH, ORANGE, 3);
         curve(chart, "push, then damp: v' = (v + F·dt/m)·max(0, 1 − z)", Rule.PUSH_THEN_DAMP, PURPLE, 3);
         points(chart, Rule.EULER, 0, BLUE, SeriesMarkers.SQUARE);
-        points(chart, Rule.MIDPOINT, 1, GREEN, SeriesMarkers.DIAMOND);
-        points(chart, Rule.EXACT, 2, Color.BLACK, SeriesMarkers.CROSS);
+        points(chart, Rule.SEMI_IMPLICIT, 1, SKY, SeriesMarkers.TRIANGLE_DOWN);
+        points(chart, Rule.MIDPOINT, 2, GREEN, SeriesMarkers.DIAMOND);
+        points(chart, Rule.EXACT, 3, Color.BLACK, SeriesMarkers.CROSS);
         limit(chart, "z = 2", 5);
         limit(chart, "z = 1", 10);
         BitmapEncoder.saveBitmap(chart, file.toString(), BitmapFormat.PNG);
@@ -89,9 +92,9 @@ public final class Plots {
         style(chart.addSeries(name, rates, speeds(rule, rates)), colour, SeriesMarkers.NONE, width);
     }
 
-    /** Every third of the points is one integrator's, so that all can be seen. */
+    /** Every fourth of the points is one integrator's, so that all can be seen. */
     private static void points(XYChart chart, Rule rule, int first, Color colour, Marker marker) {
-        double[] rates = rates(first, 3, 28);
+        double[] rates = rates(first, 4, 37);
         style(chart.addSeries(rule.name(), rates, speeds(rule, rates)), colour, marker, 2);
     }
 

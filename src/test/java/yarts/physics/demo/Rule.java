@@ -5,7 +5,7 @@ import yarts.physics.Unit;
 import yarts.physics.source.ArticleUnit;
 
 /**
- * Ways to work out the velocity after a step, from m dv/dt = F − f v: three that games use, and the library's three. In all,
+ * Ways to work out the velocity after a step, from m dv/dt = F − f v: three that games use, and the library's four. In all,
  * z = f dt/m.
  */
 public enum Rule {
@@ -17,6 +17,7 @@ public enum Rule {
     DAMP_THEN_PUSH((v, force, friction, mass, dt) -> v * Math.max(0, 1 - friction * dt / mass) + force * dt / mass),
 
     EULER(library(Integrator.EULER)),
+    SEMI_IMPLICIT(library(Integrator.SEMI_IMPLICIT)),
     MIDPOINT(library(Integrator.MIDPOINT)),
     EXACT(library(Integrator.EXACT));
 

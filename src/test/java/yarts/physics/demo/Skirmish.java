@@ -2,6 +2,7 @@ package yarts.physics.demo;
 
 import java.util.Arrays;
 import yarts.physics.Integrator;
+import yarts.physics.StepListener;
 import yarts.physics.Timestep;
 import yarts.physics.World;
 import yarts.physics.support.Churn;
@@ -43,6 +44,9 @@ public final class Skirmish {
     private final Grid.Pair keepApart = this::keepApart;
     private final double[] x, y, fx, fy;
     private final World world = new World(Integrator.EULER, Timestep.fixed(TICKS_PER_SECOND));
+    /** The game's part of a step. */
+    final StepListener commands = (w, dt) -> command(dt);
+
     private boolean naive;
     private double friction = Tank.FRICTION * Tank.MASS; // N·s/m
     private double time; // s
@@ -67,7 +71,7 @@ public final class Skirmish {
         fx = new double[tanks.length];
         fy = new double[tanks.length];
         grid = new Grid(WIDTH, HEIGHT, APART, tanks.length);
-        world.setStepListener((w, dt) -> command(dt));
+        world.addBeforeStep(commands);
         brake();
     }
 
@@ -113,8 +117,7 @@ public final class Skirmish {
         artillery.burst(x, y, time);
     }
 
-    /** What the game does before each step. */
-    void command(double dt) {
+    private void command(double dt) {
         time += dt;
         if (time > FIRST_ORDER && dice.next() < ORDERS_PER_SECOND * dt) front.order(dice, time);
         if (time > FIRST_ORDER && dice.next() < SALLIES_PER_SECOND * dt) sally();

@@ -23,9 +23,10 @@ public final class SkirmishFilm {
 
     public SkirmishFilm(Skirmish game) {
         this.game = game;
-        game.world().setStepListener((world, dt) -> {
+        game.world().removeStepListener(game.commands);
+        game.world().addBeforeStep((world, dt) -> {
             long start = System.nanoTime();
-            game.command(dt);
+            game.commands.onStep(world, dt);
             gameNanos += System.nanoTime() - start;
         });
     }

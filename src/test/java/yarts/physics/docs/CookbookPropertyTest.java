@@ -79,24 +79,11 @@ class CookbookPropertyTest {
         };
     }
 
-    private static StepListener listener(StepListener before, StepListener after) {
-        return new StepListener() {
-            @Override
-            public void beforeStep(World world, double dt) {
-                before.beforeStep(world, dt);
-            }
-
-            @Override
-            public void afterStep(World world, double dt) {
-                after.beforeStep(world, dt);
-            }
-        };
-    }
-
     private static World world(Unit unit, Integrator integrator, StepListener before, StepListener after) {
         World world = new World(integrator, Timestep.fixed(60));
         world.add(unit);
-        world.setStepListener(listener(before, after));
+        world.addBeforeStep(before);
+        world.addAfterStep(after);
         return world;
     }
 
@@ -297,10 +284,59 @@ class CookbookPropertyTest {
             @ForAll @DoubleRange(min = -100, max = 100) double vy) {
         World world = new World(exact ? Integrator.EXACT : Integrator.MIDPOINT, Timestep.fixed(rate));
         Unit shell = world.add(new Unit(10).setVelocity(vx, vy));
-        world.setStepListener((w, dt) -> shell.applyForce(0, -shell.getMass() * 9.81));
+        world.addBeforeStep((w, dt) -> shell.applyForce(0, -shell.getMass() * 9.81));
         for (int tick = 0; tick < 3 * rate; tick++) world.step();
         assertEquals(3 * vx, shell.getX(), 1e-9);
         assertEquals(3 * vy - 9.81 * 9 / 2, shell.getY(), 1e-9);
+    }
+
+    /** Of docs/physics.md: a spring in a listener calms down if f > lag(z)·k·dt, and its swings grow if f is less. */
+    @Property(tries = 300)
+    void aSpringCalmsDownIfFrictionIsAboveLagTimesStiffnessTimesDt(
+            @ForAll Integrator integrator,
+            @ForAll("stiffness") double z,
+            @ForAll("positive") double mass,
+            @ForAll @DoubleRange(min = 0.1, max = 3) double share) {
+        Assume.that(Math.abs(share - 1) > 0.05);
+        double dt = 1 / 64.0, friction = z * mass / dt, lag = lag(integrator, z), most = 4 * mass + 2 * friction * dt;
+        double k = lag > 0 ? share * friction / (lag * dt) : share / 3 * 0.99 * most / (dt * dt);
+        boolean calms = lag == 0 || share < 1;
+        Assume.that(!calms || k * dt * dt < 0.99 * most);
+        Unit bob = new Unit(mass).setFriction(friction).setPosition(1, 0);
+        World world = world(bob, integrator, (w, h) -> bob.applyForce(-k * bob.getX(), 0), NOTHING);
+        double farthest = 0;
+        for (int tick = 0; tick < 8_000; tick++) {
+            world.step(dt);
+            if (!calms && Math.abs(bob.getX()) > 100) return;
+            if (tick >= 7_900) farthest = Math.max(farthest, Math.abs(bob.getX()));
+        }
+        assertTrue(calms && farthest < 1e-3, farthest + " m");
+    }
+
+    private static double lag(Integrator integrator, double z) {
+        switch (integrator) {
+            case EULER:
+                return 1;
+            case SEMI_IMPLICIT:
+                return 0;
+            case MIDPOINT:
+                return 0.5;
+            default:
+                return 1 / z - 1 / Math.expm1(z);
+        }
+    }
+
+    /** No swing is longer than 1/√(1 − k·dt²/(4·m)) times the first one. */
+    @Property(tries = 300)
+    void withoutFrictionSemiImplicitAddsNoEnergyToASpring(
+            @ForAll("positive") double mass, @ForAll @DoubleRange(min = 0.01, max = 3.99) double stiffness) {
+        double dt = 1 / 64.0, k = stiffness * mass / (dt * dt);
+        Unit bob = new Unit(mass).setPosition(1, 0);
+        World world = world(bob, Integrator.SEMI_IMPLICIT, (w, h) -> bob.applyForce(-k * bob.getX(), 0), NOTHING);
+        for (int tick = 0; tick < 5_000; tick++) {
+            world.step(dt);
+            assertTrue(Math.abs(bob.getX()) <= (1 + 1e-9) / Math.sqrt(1 - stiffness / 4), bob.toString());
+        }
     }
 
     @Property(tries = 300)
@@ -442,6 +478,77 @@ class CookbookPropertyTest {
         assertEquals(0, Math.abs(Math.IEEEremainder(from * width + shortest - to * width, width)), 1e-9);
     }
 
+    // Moving units about, of docs/limits.md and docs/guide.md
+
+    /** By moveTo after the step: drawn from the start of the step to the wall, never beyond it, and sliding along it. */
+    @Property
+    void aUnitIsNeverDrawnBeyondAWall(
+            @ForAll Integrator integrator,
+            @ForAll @DoubleRange(min = 1, max = 1000) double vx,
+            @ForAll @DoubleRange(min = -1000, max = 1000) double vy,
+            @ForAll @IntRange(min = 10, max = 500) int framesPerSecond) {
+        Unit unit = new Unit(1).setVelocity(vx, vy);
+        double[] start = {0};
+        World world = world(unit, integrator, (w, dt) -> start[0] = unit.getX(), (w, dt) -> {
+            if (unit.getX() > 10) unit.moveTo(10, unit.getY()).setVelocity(0, unit.getVy());
+        });
+        double drawn = 0;
+        while (world.getTick() < 600 / vx + 4) {
+            world.advance(1.0 / framesPerSecond);
+            double x = unit.getInterpolatedX();
+            assertTrue(x >= drawn && x <= 10, "drawn at " + x + " after " + drawn);
+            assertEquals(start[0] + world.getAlpha() * (unit.getX() - start[0]), x, 1e-12);
+            drawn = x;
+        }
+        assertEquals(10, drawn);
+        assertEquals(vy * world.getTime(), unit.getY(), 1e-9 * Math.abs(vy) * world.getTime());
+    }
+
+    /** By setPosition before the step: between two frames, a unit is drawn as far on as it has gone, on the way round. */
+    @Property
+    void acrossTheEdgeOfAMapAUnitIsDrawnWithoutAStreakOrAJump(
+            @ForAll @DoubleRange(min = -300, max = 300) double v,
+            @ForAll @IntRange(min = 10, max = 500) int framesPerSecond) {
+        double width = 100;
+        Unit ship = new Unit(1).setPosition(50, 0).setVelocity(v, 0);
+        World world = world(
+                ship,
+                Integrator.EXACT,
+                (w, dt) -> {
+                    if (ship.getX() >= width) ship.setPosition(ship.getX() - width, ship.getY());
+                    if (ship.getX() < 0) ship.setPosition(ship.getX() + width, ship.getY());
+                },
+                NOTHING);
+        double drawn = Double.NaN;
+        for (int frame = 0; frame < 3 * framesPerSecond; frame++) {
+            world.advance(1.0 / framesPerSecond);
+            if (world.getTick() == 0) continue; // there is no step yet that could be drawn
+            double x = ship.getInterpolatedX(), gone = Math.IEEEremainder(x - drawn, width);
+            if (!Double.isNaN(drawn)) assertEquals(0, Math.IEEEremainder(gone - v / framesPerSecond, width), 1e-6);
+            assertTrue(x > -Math.abs(v) / 60 - 1e-9 && x < width + Math.abs(v) / 60 + 1e-9, "far off: " + x);
+            drawn = x;
+        }
+    }
+
+    /** The waiting time stays the same, in seconds; alpha is the part of a new step, and so the picture may jump. */
+    @Property
+    void onAChangeOfTheTimestepThePictureJumpsByLessThanAStep(
+            @ForAll Integrator integrator,
+            @ForAll @IntRange(min = 1, max = 240) int from,
+            @ForAll @IntRange(min = 1, max = 240) int to,
+            @ForAll @DoubleRange(min = 0, max = 0.99) double alpha) {
+        Unit unit = new Unit(1).setVelocity(10, 0);
+        World world = world(unit, integrator, NOTHING, NOTHING);
+        world.setTimestep(Timestep.fixed(from));
+        world.advance((1 + alpha) / from);
+        double old = world.getAlpha(), drawn = unit.getInterpolatedX(), step = 10.0 / from;
+        world.setTimestep(Timestep.fixed(to));
+        assertEquals(Math.min(1, old * to / from), world.getAlpha(), 1e-6);
+        double jump = unit.getInterpolatedX() - drawn;
+        assertEquals(step * (world.getAlpha() - old), jump, 1e-9 * step);
+        assertTrue(Math.abs(jump) < step && (to >= from ? jump >= -1e-9 * step : jump <= 1e-9 * step), jump + " m");
+    }
+
     // Time
 
     @Property(tries = 200)
@@ -465,7 +572,7 @@ class CookbookPropertyTest {
     private static World played(Integrator integrator) {
         World world = new World(integrator, Timestep.fixed(60).withMaxSteps(100));
         for (int i = 1; i < 5; i++) world.add(new Unit(i).setFriction(3).setPosition(i, -i));
-        world.setStepListener((w, dt) -> {
+        world.addBeforeStep((w, dt) -> {
             for (Unit unit : w) unit.applyForce(9 - unit.getX(), unit.getVx());
         });
         return world;

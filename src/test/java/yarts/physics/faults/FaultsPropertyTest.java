@@ -8,10 +8,10 @@ import java.util.SplittableRandom;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
-import yarts.physics.Blocks;
 import yarts.physics.Integrator;
 import yarts.physics.Snapshot;
 import yarts.physics.StepListener;
+import yarts.physics.Tiles;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
@@ -46,7 +46,7 @@ class FaultsPropertyTest {
             return !name().matches("ADDS|REMOVES.*|CLEARS|GOES");
         }
 
-        void happen(World world, Snapshot snapshot) {
+        void happen(World world, Snapshot snapshot, StepListener listener) {
             if (world.size() > 0) world.get(world.size() / 2).applyForce(3, 4);
             switch (this) {
                 case THROWS_AN_EXCEPTION -> throw new IllegalStateException("an exception of a listener");
@@ -74,7 +74,7 @@ class FaultsPropertyTest {
                 case RESTORES -> world.restore(snapshot);
                 case SETS_THE_INTEGRATOR -> world.setIntegrator(Integrator.MIDPOINT);
                 case SETS_THE_TIMESTEP -> world.setTimestep(Timestep.fixed(30));
-                case GOES -> world.setStepListener(null);
+                case GOES -> world.removeStepListener(listener);
             }
         }
     }
@@ -95,7 +95,7 @@ class FaultsPropertyTest {
         Timestep timestep = (fixed ? Timestep.fixed(50) : Timestep.variable(0.02)).withMaxSteps(4);
         World world = new World(integrator, timestep);
         SplittableRandom random = new SplittableRandom(seed);
-        int units = random.nextInt(3) == 0 ? Blocks.BLOCK + 3 : random.nextInt(1, 20);
+        int units = random.nextInt(3) == 0 ? Tiles.TILE + 3 : random.nextInt(1, 20);
         for (int i = 0; i < units; i++) {
             world.add(new Unit(1 + i)).setFriction(random.nextInt(5)).setVelocity(i, -i);
         }
@@ -107,21 +107,18 @@ class FaultsPropertyTest {
         double time = world.getTime(), dropped = world.getDroppedTime(), waits = fixed ? world.getAlpha() * 0.02 : 0;
 
         int[] calls = {0};
-        world.setStepListener(new StepListener() {
+        StepListener listener = new StepListener() {
             @Override
-            public void beforeStep(World w, double dt) {
-                if (!after && calls[0]++ == when) fault.happen(w, snapshot);
+            public void onStep(World w, double dt) {
+                if (calls[0]++ == when) fault.happen(w, snapshot, this);
             }
-
-            @Override
-            public void afterStep(World w, double dt) {
-                if (after && calls[0]++ == when) fault.happen(w, snapshot);
-            }
-        });
+        };
+        if (after) world.addAfterStep(listener);
+        else world.addBeforeStep(listener);
         boolean frame = when > 0 || random.nextBoolean();
         if (fault.stops()) assertThrows(Throwable.class, () -> pass(world, frame));
         else pass(world, frame);
-        world.setStepListener(null);
+        world.removeStepListener(listener);
 
         int ran = fault.stops() ? when + (after ? 1 : 0) : frame ? 4 : 1;
         assertEquals(tick + ran, world.getTick());

@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ForkJoinPool;
-import yarts.physics.Blocks;
 import yarts.physics.Integrator;
 import yarts.physics.Snapshot;
 import yarts.physics.Timestep;
@@ -188,7 +187,6 @@ final class OutOfMemoryMain {
             List<Long> values = Churn.bits(world), unitsValues = Churn.bits(recruit);
             long got = 0;
             boolean failed = false;
-            Blocks.fillNursery();
             BALLAST.fill();
             BALLAST.release(free);
             try {

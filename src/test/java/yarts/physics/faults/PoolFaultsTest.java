@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import yarts.physics.Blocks;
 import yarts.physics.Integrator;
+import yarts.physics.Tiles;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
@@ -24,7 +24,7 @@ import yarts.physics.World;
 class PoolFaultsTest {
     private static World crowd() {
         World world = new World(Integrator.EXACT, Timestep.fixed(60));
-        for (int i = 0; i < 3 * Blocks.SLICE + 7; i++) {
+        for (int i = 0; i < 3 * Tiles.SHARE + 7; i++) {
             world.add(new Unit(1 + i % 9)).setFriction(i % 5).setVelocity(i % 29, -1);
         }
         return world;

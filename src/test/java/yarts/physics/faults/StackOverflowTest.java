@@ -14,9 +14,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import yarts.physics.Blocks;
 import yarts.physics.Integrator;
 import yarts.physics.Snapshot;
+import yarts.physics.Tiles;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
@@ -42,7 +42,7 @@ class StackOverflowTest {
 
     private static World world() {
         World world = new World(Integrator.EXACT, Timestep.fixed(60));
-        for (int i = 0; i < Blocks.BLOCK + 9; i++) {
+        for (int i = 0; i < Tiles.TILE + 9; i++) {
             world.add(new Unit(1 + i)).setFriction(i % 4).setVelocity(i, 1).applyForce(i, -i);
         }
         return world;

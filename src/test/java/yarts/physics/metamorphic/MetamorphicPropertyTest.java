@@ -10,8 +10,8 @@ import java.util.concurrent.ForkJoinPool;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
-import yarts.physics.Blocks;
 import yarts.physics.Integrator;
+import yarts.physics.Tiles;
 import yarts.physics.metamorphic.Play.Layout;
 
 /**
@@ -35,7 +35,7 @@ class MetamorphicPropertyTest {
 
     /** A handful of units, or more than a block's. */
     private static Layout plain(long seed) {
-        return Layout.plain(seed % 4 == 0 ? Blocks.BLOCK + 10 : 20);
+        return Layout.plain(seed % 4 == 0 ? Tiles.TILE + 10 : 20);
     }
 
     private static void seen(long seed, Integrator integrator, boolean fixed, View view) {
@@ -96,7 +96,7 @@ class MetamorphicPropertyTest {
     @Property(tries = 30)
     void amongSleepers(@ForAll long seed, @ForAll Integrator integrator, @ForAll boolean fixed) {
         int[] order = Layout.plain(12).order();
-        for (int sleepers : new int[] {1, Blocks.BLOCK, 2 * Blocks.BLOCK - 1}) {
+        for (int sleepers : new int[] {1, Tiles.TILE, 2 * Tiles.TILE - 1}) {
             laidOut(seed, integrator, fixed, new Layout(order, 1, sleepers, null));
         }
     }
@@ -104,7 +104,7 @@ class MetamorphicPropertyTest {
     /** Three slices, the last of them short of a block. */
     @Property(tries = 4)
     void onSeveralThreads(@ForAll long seed, @ForAll Integrator integrator, @ForAll boolean fixed) {
-        int units = 3 * Blocks.SLICE + 100;
+        int units = 3 * Tiles.SHARE + 100;
         ForkJoinPool pool = new ForkJoinPool(3);
         try {
             Layout plain = Layout.plain(units);

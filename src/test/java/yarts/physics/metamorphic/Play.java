@@ -37,7 +37,7 @@ final class Play {
         for (int i = 0; i < layout.worlds; i++) {
             World world = new World(integrator, timestep.withMaxSteps(4));
             world.setPool(layout.pool);
-            world.setStepListener((w, dt) -> steer(w));
+            world.addBeforeStep((w, dt) -> steer(w));
             worlds.add(world);
         }
         units = new Unit[layout.order.length];

@@ -107,15 +107,20 @@ class PathAccuracyTest {
                 free ? n.multiply(n.subtract(ONE)).divide(TWO) : n.subtract(sum).divide(left, DIGITS);
         BigDecimal end = power.multiply(v).add(g.multiply(sum));
         BigDecimal firsts = v.multiply(sum).add(g.multiply(sums)); // of the velocities that steps start with
-        BigDecimal shift =
-                integrator == Integrator.EULER ? ZERO : end.subtract(v).divide(TWO); // and of those they end with
-        return new BigDecimal[] {end, firsts.add(shift).multiply(dt)};
+        BigDecimal led = end.subtract(v); // by so much is the sum of those that steps end with greater
+        BigDecimal share = switch (integrator) {
+            case EULER -> ZERO;
+            case SEMI_IMPLICIT -> ONE;
+            default -> ONE.divide(TWO);
+        };
+        return new BigDecimal[] {end, firsts.add(led.multiply(share)).multiply(dt)};
     }
 
     private static BigDecimal decay(Integrator integrator, BigDecimal z) {
         BigDecimal half = z.divide(TWO);
         return switch (integrator) {
             case EULER -> ZERO.max(ONE.subtract(z));
+            case SEMI_IMPLICIT -> ONE.divide(ONE.add(z), DIGITS);
             case MIDPOINT -> ZERO.max(ONE.subtract(half).divide(ONE.add(half), DIGITS));
             case EXACT -> z.intValue() > 3000 ? ZERO : BigDecimalMath.exp(z.negate(), DIGITS);
         };
@@ -125,6 +130,7 @@ class PathAccuracyTest {
         BigDecimal half = z.divide(TWO);
         return switch (integrator) {
             case EULER -> ONE.divide(ONE.max(z), DIGITS);
+            case SEMI_IMPLICIT -> ONE.divide(ONE.add(z), DIGITS);
             case MIDPOINT -> ONE.divide(z.max(ONE.add(half)), DIGITS);
             case EXACT ->
                 z.signum() == 0 ? ONE : ONE.subtract(decay(integrator, z)).divide(z, DIGITS);

@@ -11,8 +11,8 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
-import yarts.physics.Blocks;
 import yarts.physics.Integrator;
+import yarts.physics.Tiles;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
@@ -178,12 +178,12 @@ class SpeedCapPropertyTest {
     void manyAtTheirTopSpeedStayThere(@ForAll Integrator integrator, @ForAll long seed) {
         Random random = new Random(seed);
         World world = new World(integrator, Timestep.fixed(60));
-        for (int i = 0; i < 2 * Blocks.BLOCK + 1; i++) {
+        for (int i = 0; i < 2 * Tiles.TILE + 1; i++) {
             double cap = 0.1 + random.nextDouble();
             world.add(new Unit(1).setMaxSpeed(cap).setVelocity(9 * random.nextGaussian(), 9 * random.nextGaussian()));
         }
         world.removeIf(unit -> unit.getSpeed() < unit.getMaxSpeed());
-        assertTrue(world.size() > Blocks.BLOCK);
+        assertTrue(world.size() > Tiles.TILE);
         double[] before = new double[2 * world.size()], after = before.clone();
         world.copyVelocities(before, 0);
         for (int i = 0; i < 10; i++) {

@@ -25,22 +25,23 @@ class RefusedBytesTest {
         for (Object[] row : new Object[][] {
             {"magic", 0L, -1L},
             {"version", 0, 2, -1, 1 << 24},
-            {"integrator", 3, -1, 127},
+            {"integrator", 4, -1, 127},
             {"interpolating", 2, -1},
             {"padding", 1, -1},
             {"padding again", 1, -1},
-            {"rate", -1, 0, 59, 1_000_001, Integer.MAX_VALUE, Integer.MIN_VALUE},
+            {"rate", -1, 59, 1_000_001, Integer.MAX_VALUE, Integer.MIN_VALUE},
             {"maxStep", nan, inf, -inf, 0, -1, Math.nextUp(1 / 60.0), Math.nextDown(1 / 60.0), tiny, most},
             {"maxSteps", 0, -1, Integer.MIN_VALUE},
             {"tick", -1L, Long.MIN_VALUE, 1L << 61, Long.MAX_VALUE, 0},
             {"regularTicks", -1L, Long.MIN_VALUE, 5, Long.MAX_VALUE},
-            {"remainder", -1L, Long.MIN_VALUE, 1_000_000_000L, Long.MAX_VALUE},
+            {"remainder", -1L, Long.MIN_VALUE, 60_000_000_000L, Long.MAX_VALUE},
             {"droppedTicks", -1L, Long.MIN_VALUE, 1L << 61, Long.MAX_VALUE},
             {"remainderError", nan, inf, -inf, Math.nextUp(1.0), Math.nextDown(-1.0), most},
             {"time", nan, inf, -inf, -1, -tiny, 1.1e100, most},
             {"timeError", nan, inf, -inf, 1.1e100, -1.1e100},
             {"droppedTime", nan, inf, -inf, -1, -tiny, 1.1e100},
             {"droppedTimeError", nan, inf, -inf, 1.1e100, -1.1e100},
+            {"lastSteppedId", -1L, 4L, Long.MIN_VALUE, Long.MAX_VALUE},
             {"lastId", -1L, 0, 2, Long.MIN_VALUE, 1L << 61, Long.MAX_VALUE},
             {"id", 0L, 1L, 3L, -2L, 4L, Long.MIN_VALUE, Long.MAX_VALUE},
             {"x", nan, inf, -inf},
@@ -51,6 +52,11 @@ class RefusedBytesTest {
             {"friction", nan, inf, -inf, -1, -tiny, 1.001e50},
             {"maxSpeed", nan, -inf, -1, -tiny, 0, tiny, 1e-200},
             {"frozen", nan, inf, -inf, -1, 2, 0.5, tiny, -tiny, Math.nextDown(1.0), Math.nextUp(1.0)},
+            {"motorVx", nan, inf, 1, tiny},
+            {"motorVy", nan, -inf, -1, -tiny},
+            {"motorForce", nan, inf, 1, -1},
+            {"waitingX", nan, inf, -inf, 1.1e70, -1.1e70},
+            {"waitingY", nan, inf, -inf, 1.1e70, -1.1e70},
             {"fx", nan, inf, -inf, 1.1e70, -1.1e70},
             {"fy", nan, inf, -inf, 1.1e70, -1.1e70},
             {"pendingX", nan, inf, -inf, 1.1e70, -1.1e70},
@@ -85,7 +91,7 @@ class RefusedBytesTest {
                 assertTrue(List.of("tick", "regularTicks").contains(says), message);
                 break;
             case "lastId":
-                assertTrue(List.of("lastId", "id").contains(says), message);
+                assertTrue(List.of("lastId", "lastSteppedId", "id").contains(says), message);
                 break;
             case "maxSpeed": // which bounds others
                 assertTrue(List.of("maxSpeed", "vx", "vy", "speed").contains(says), message);
@@ -106,7 +112,7 @@ class RefusedBytesTest {
     @Test
     void aPinnedUnitThatMovesIsRefused() {
         byte[] save = Saves.save(3);
-        Saves.places(1).get("maxSpeed").put(save, 1e-200); // below rest, which is 2^-500
+        Saves.places(1).get("maxSpeed").put(save, 0);
         Saves.places(1).get("vy").put(save, 0);
         Saves.places(1).get("vx").put(save, 1e-201);
         assertTrue(Saves.refused(Saves.repair(save)).startsWith("vx must be 0 "));
@@ -132,19 +138,20 @@ class RefusedBytesTest {
             Saves.places(1).get(v).put(save, Math.nextDown(0x1p-500));
             Saves.assertSound(Snapshot.fromBytes(Saves.repair(save)));
             Saves.places(1).get("frozen").put(save, 1);
-            assertTrue(Saves.refused(Saves.repair(save)).startsWith(v + " must be 0 or at least 3.05"));
+            assertTrue(
+                    Saves.refused(Saves.repair(save)).startsWith(v + " of a frozen unit must be 0 or at least 3.05"));
             Saves.places(1).get(v).put(save, 0x1p-500);
             Saves.assertSound(Snapshot.fromBytes(Saves.repair(save)));
         }
     }
 
     @Test
-    void variableStepsLeaveNoRemainderNorItsError() {
-        for (String name : List.of("remainder", "remainderError")) {
-            byte[] save = Saves.save(3, Timestep.variable(0.02));
-            Saves.places(0).get(name).put(save, name.equals("remainder") ? 1L : 0.25);
-            assertTrue(Saves.refused(Saves.repair(save)).startsWith(name + " must be "));
-        }
+    void noTimestepLeavesARemainderOfASecond() {
+        byte[] save = Saves.save(3, Timestep.variable(0.02));
+        Saves.places(0).get("remainder").put(save, 999_999_999L);
+        Saves.assertSound(Snapshot.fromBytes(Saves.repair(save)));
+        Saves.places(0).get("remainder").put(save, 1_000_000_000L);
+        assertEquals("remainder must be from 0 to 999999999, was 1000000000", Saves.refused(Saves.repair(save)));
     }
 
     /** As far apart as two doubles can be, so that half-way between them would be no number. */
@@ -163,12 +170,18 @@ class RefusedBytesTest {
         int least = Saves.HEADER + Saves.CRC;
         for (int length = 0; length < least; length++) {
             assertEquals(
-                    "bytes.length must be at least " + least + ", was " + length,
+                    "the bytes are truncated: a snapshot has at least " + least + ", these are " + length,
                     Saves.refused(Arrays.copyOf(Saves.save(3), length)));
         }
         byte[] save = Saves.save(3);
         Saves.order(save).putInt(12, 2);
-        assertEquals("count must be 3.0 by the number of bytes, was 2", Saves.refused(Saves.repair(save)));
+        int two = least + 2 * Saves.RECORD, three = least + 3 * Saves.RECORD;
+        assertEquals(
+                "the bytes are too many: a snapshot of 2 units has " + two + ", these are " + three,
+                Saves.refused(Saves.repair(save)));
+        assertEquals(
+                "the bytes are truncated: a snapshot of 3 units has " + three + ", these are " + (three - 1),
+                Saves.refused(Arrays.copyOf(Saves.save(3), three - 1)));
     }
 
     /** So that a sign that nothing else shows does not come to light, say in a unit's log. */
@@ -192,7 +205,7 @@ class RefusedBytesTest {
             {"maxSteps", 1, Integer.MAX_VALUE},
             {"tick", (1L << 61) - 100},
             {"droppedTicks", 0L, (1L << 61) - 1},
-            {"remainder", 0L, 999_999_999L},
+            {"remainder", 0L, 59_999_999_999L},
             {"remainderError", 1, -1, tiny, -0.0, 0.5},
             {"time", 0, -0.0, 1e100},
             {"droppedTime", 1e100},
@@ -205,6 +218,7 @@ class RefusedBytesTest {
             {"maxSpeed", Double.POSITIVE_INFINITY, Double.MAX_VALUE},
             {"frozen", 0, -0.0, 1},
             {"fx", 1e70, -1e70},
+            {"waitingX", 1e70, -1e70},
             {"pendingY", 1e70, -1e70},
         }) {
             for (int i = 1; i < row.length; i++) {

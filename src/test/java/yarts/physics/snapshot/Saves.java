@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.zip.CRC32;
 import yarts.physics.Integrator;
+import yarts.physics.Rows;
 import yarts.physics.Snapshot;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
@@ -86,6 +87,12 @@ public final class Saves {
                 return unit.getFx();
             case "fy":
                 return unit.getFy();
+            case "motorVx":
+            case "motorVy":
+            case "motorForce":
+            case "waitingX":
+            case "waitingY":
+                return Rows.get(unit, name);
             case "pendingX":
                 return unit.getPendingImpulseX();
             case "pendingY":

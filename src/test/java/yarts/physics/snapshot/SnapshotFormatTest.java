@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import yarts.physics.Integrator;
+import yarts.physics.Rows;
 import yarts.physics.Snapshot;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
@@ -25,7 +26,7 @@ import yarts.physics.World;
 class SnapshotFormatTest {
     private static final byte[] MAGIC = "YARTSPHY".getBytes(StandardCharsets.US_ASCII);
 
-    /** Six units: forces held, impulses pending, interpolation, no top speed, one pinned, one frozen, one removed. */
+    /** Six units: forces for the next advance and the next step, impulses pending, interpolation, no top speed, one pinned, one frozen, one removed. */
     private static World world() {
         World world = new World(Integrator.MIDPOINT, Timestep.fixed(50).withMaxSteps(3));
         for (int i = 1; i <= 7; i++) world.add(new Unit(i).setPosition(i, -i).setVelocity(10 * i, i / 4.0));
@@ -36,6 +37,7 @@ class SnapshotFormatTest {
         world.step(0.25);
         world.find(7).setFrozen(true);
         world.find(5).applyForce(8, -16);
+        world.addAfterStep((w, dt) -> w.find(1).applyForce(w.getTick() == 4 ? 3 : 0, w.getTick() == 4 ? -4 : 0));
         world.advance(0.105); // five steps fall due, three are run, a quarter of one remains
         world.advance(0x1p-40); // not a whole billionth of a step
         world.find(6).applyForce(0.5, 1024);
@@ -63,7 +65,7 @@ class SnapshotFormatTest {
         Snapshot snapshot = Snapshot.fromBytes(file());
         assertArrayEquals(file(), snapshot.toBytes());
         World world = Saves.restored(snapshot);
-        assertEquals(0x9ee9ba7e78c9a44fL, world.stateHash());
+        assertEquals(0x31128c8be1ac3dd6L, world.stateHash());
         assertEquals(4, snapshot.getTick());
         assertEquals(4, world.getTick());
         assertEquals(0.31, world.getTime());
@@ -83,7 +85,10 @@ class SnapshotFormatTest {
         assertMoves(world.get(4), 50.09599999999999, 1.0579999999999998, 19.501279999999998, -4.64006);
         assertUnit(world.get(5), 6, 6, 0, none, 24.599999999999998, -5.534999999999999);
         assertMoves(world.get(5), 60, 1.5, 23.4, -5.5649999999999995);
-        for (Unit unit : world) assertForces(unit, unit.getId() == 6 ? 0.5 : 0, unit.getId() == 6 ? 1024 : 0);
+        assertForces(world.find(1), 3, -4);
+        for (int id : new int[] {2, 4, 5, 6, 7}) assertForces(world.find(id), id == 6 ? 0.5 : 0, id == 6 ? 1024 : 0);
+        assertEquals(3, Rows.get(world.find(1), "waitingX"));
+        assertEquals(0.5, Rows.get(world.find(6), "fx"));
         for (Unit unit : world) assertEquals(unit.getId() == 7, unit.isFrozen());
         for (Unit unit : world) assertPending(unit, unit.getId() == 5 ? 0.04 : 0, unit.getId() == 5 ? -0.08 : 0);
         assertEquals(8, world.add(new Unit(1)).getId());
@@ -133,7 +138,8 @@ class SnapshotFormatTest {
     void everyValueIsWhereTheDocumentSays() {
         World world = world();
         byte[] save = new byte[Saves.HEADER + 6 * Saves.RECORD + Saves.CRC];
-        Number[] header = {0, 1, 6, 1, 1, 0, 50, 1 / 50.0, 3, 0, 4, 3, 250_000_000, 2, 0x1p-40 * 50e9, 0.25, 0, 0, 0, 7
+        Number[] header = {
+            0, 1, 6, 1, 1, 0, 50, 1 / 50.0, 3, 0, 4, 3, 250_000_000, 2, 0x1p-40 * 50e9, 0.25, 0, 0, 0, 7, 7
         };
         for (int i = 0; i < 6; i++) {
             int end = 0, value = 0;
@@ -145,7 +151,7 @@ class SnapshotFormatTest {
                 end += place.size();
                 if (name.equals("magic")) System.arraycopy(MAGIC, 0, save, 0, 8);
                 else if (end <= Saves.HEADER) place.put(save, header[value]);
-                else place.put(save, name.equals("id") ? world.get(i).getId() : Saves.state(world.get(i), name));
+                else place.put(save, name.equals("id") ? world.get(i).getId() : Rows.get(world.get(i), name));
                 value++;
             }
             assertEquals(Saves.HEADER + (i + 1) * Saves.RECORD, end);

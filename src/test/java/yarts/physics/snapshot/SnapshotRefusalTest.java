@@ -47,9 +47,11 @@ class SnapshotRefusalTest {
 
     @Test
     void aListenerCannotSaveOrRestore() {
-        String message = "a step is running: a StepListener must not step, save, restore or set its world";
+        String message =
+                "a step of this world is running: until it ends, no listener, factory or other thread may step,"
+                        + " save, restore or set the world";
         byte[] before = saved.toBytes();
-        world.setStepListener((w, dt) -> {
+        world.addBeforeStep((w, dt) -> {
             refused(IllegalStateException.class, message, () -> w.save(saved));
             refused(IllegalStateException.class, message, w::save);
             refused(IllegalStateException.class, message, () -> w.restore(saved));
@@ -71,7 +73,7 @@ class SnapshotRefusalTest {
         long hash = other.stateHash();
         refused(
                 IllegalStateException.class,
-                "a unit of the snapshot is in another world by now: " + b,
+                "a unit of the snapshot is now in another world: " + b,
                 () -> world.restore(saved));
         assertSame(other, b.getWorld());
         assertEquals(hash, other.stateHash());
@@ -88,10 +90,10 @@ class SnapshotRefusalTest {
         world.step(1);
         Unit outside = new Unit(1), elsewhere = new World().add(new Unit(1));
         refusedFactory(NullPointerException.class, "the factory's unit must not be null", bytes, id -> null);
-        String must = "the factory must make a new unit for id ";
-        refusedFactory(IllegalStateException.class, must + "1, not " + elsewhere, bytes, id -> elsewhere);
-        refusedFactory(IllegalStateException.class, must + "1, not " + c, bytes, id -> c);
-        refusedFactory(IllegalStateException.class, must + "2, not " + outside, bytes, id -> outside);
+        String must = "the factory must return a new unit for id ";
+        refusedFactory(IllegalStateException.class, must + "1, was " + elsewhere, bytes, id -> elsewhere);
+        refusedFactory(IllegalStateException.class, must + "1, was " + c, bytes, id -> c);
+        refusedFactory(IllegalStateException.class, must + "2, was " + outside, bytes, id -> outside);
         refusedFactory(IllegalStateException.class, "of the game", bytes, id -> {
             if (id == 1) return outside;
             throw new IllegalStateException("of the game");

@@ -20,9 +20,10 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import yarts.physics.Blocks;
 import yarts.physics.Integrator;
 import yarts.physics.Snapshot;
+import yarts.physics.StepListener;
+import yarts.physics.Tiles;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
@@ -92,7 +93,7 @@ class SnapshotTest {
 
     @Test
     void aSnapshotIsUsedAgainForLargerAndSmallerWorlds() {
-        IntStream up = IntStream.of(Blocks.sizes()), down = IntStream.of(Blocks.sizes());
+        IntStream up = IntStream.of(Tiles.sizes()), down = IntStream.of(Tiles.sizes());
         for (int size :
                 IntStream.concat(up, down.map(i -> -i).sorted().map(i -> -i)).toArray()) {
             World other = new World();
@@ -224,9 +225,10 @@ class SnapshotTest {
         Unit stays = other.add(new Unit(1));
         List<Unit> leave = List.of(other.add(new Unit(1)), other.add(new Unit(1)));
         for (Unit unit : other) unit.applyForce(60, 0);
-        other.setStepListener((w, dt) -> leave.forEach(w::remove));
+        StepListener departure = (w, dt) -> leave.forEach(w::remove);
+        other.addBeforeStep(departure);
         assertEquals(2, other.advance(1 / 30.0));
-        other.setStepListener(null);
+        other.removeStepListener(departure);
         stays.setVelocity(0, 0);
         leave.forEach(other::add);
         other.step();
@@ -239,7 +241,7 @@ class SnapshotTest {
     @Test
     void listenerAndPoolAreTheWorldsOwn() {
         List<World> stepped = new ArrayList<>();
-        world.setStepListener((w, dt) -> stepped.add(w));
+        world.addBeforeStep((w, dt) -> stepped.add(w));
         world.restore(saved);
         world.step(1);
         assertEquals(List.of(world), stepped);

@@ -34,7 +34,7 @@ public final class Churn {
 
     private final int least, rare;
     private final boolean finds;
-    private final StepListener listener = new Referee();
+    private final StepListener before = this::before, after = this::after;
     /** Units that were removed, to be added again. */
     private final List<Unit> bench = new ArrayList<>();
 
@@ -85,13 +85,17 @@ public final class Churn {
         for (int orders = draw(3); orders > 0; orders--) orderAll(world);
         Integrator integrator = world.getIntegrator();
         if (draw(16) == 0) world.setIntegrator(integrator());
-        world.setStepListener(draw(3) > 0 ? listener : null);
+        if (draw(3) > 0) {
+            world.addBeforeStep(before);
+            world.addAfterStep(after);
+        }
         try {
             pass(world);
         } catch (Halt e) {
             // of the listener: the rest of the frame is dropped
         }
-        world.setStepListener(null);
+        world.removeStepListener(before);
+        world.removeStepListener(after);
         world.setIntegrator(integrator);
         if (draw(8) == 0) order(world); // what it leaves is still held when the frame is over
     }
@@ -114,30 +118,28 @@ public final class Churn {
         }
     }
 
-    /** Steers before a step, and after it keeps some behind walls; now and then it breaks off. */
-    private final class Referee implements StepListener {
-        @Override
-        public void beforeStep(World world, double dt) {
-            for (int i = draw(8); i < world.size(); i += 8) { // to the first
-                Unit unit = world.get(i), first = world.get(0);
-                unit.applyForce(limit(first.getX() - unit.getX(), 1e6), dt - limit(unit.getVx(), 1e6));
-            }
-            if (world.size() > 5 && draw(8) == 0) world.remove(world.get(draw(world.size())));
-            if (draw(32) == 0) throw new Halt();
+    /** Steers some; now and then it breaks off. */
+    private void before(World world, double dt) {
+        for (int i = draw(8); i < world.size(); i += 8) { // to the first
+            Unit unit = world.get(i), first = world.get(0);
+            unit.applyForce(limit(first.getX() - unit.getX(), 1e6), dt - limit(unit.getVx(), 1e6));
         }
+        if (world.size() > 5 && draw(8) == 0) world.remove(world.get(draw(world.size())));
+        if (draw(32) == 0) throw new Halt();
+    }
 
-        @Override
-        public void afterStep(World world, double dt) {
-            for (int i = draw(8); i < world.size(); i += 8) {
-                Unit unit = world.get(i);
-                if (Math.abs(unit.getX()) > 1e3) unit.setPosition(limit(unit.getX(), 1e3), unit.getY());
-            }
-            if (draw(8) == 0) {
-                world.add(recruit()).setPosition(1, 2);
-                world.get(draw(world.size())).applyForce(force(), force());
-            }
-            if (draw(32) == 0) throw new Halt();
+    /** Keeps some behind walls, and pushes some for the next step; now and then it breaks off. */
+    private void after(World world, double dt) {
+        for (int i = draw(8); i < world.size(); i += 8) {
+            Unit unit = world.get(i);
+            if (Math.abs(unit.getX()) > 1e3) unit.moveTo(limit(unit.getX(), 1e3), unit.getY());
+            if (draw(4) == 0) unit.applyForce(force(), force());
         }
+        if (draw(8) == 0) {
+            world.add(recruit()).moveTo(1, 2);
+            world.get(draw(world.size())).applyForce(force(), force());
+        }
+        if (draw(32) == 0) throw new Halt();
     }
 
     private static double limit(double v, double most) {
@@ -187,7 +189,8 @@ public final class Churn {
                 break;
             case 9: // back to where it is drawn
                 double alpha = draw(5) / 4.0;
-                unit.setPosition(unit.getInterpolatedX(alpha), unit.getInterpolatedY());
+                if (draw(2) == 0) unit.setPosition(unit.getInterpolatedX(alpha), unit.getInterpolatedY());
+                else unit.moveTo(unit.getInterpolatedX(alpha), unit.getInterpolatedY());
                 break;
             case 10:
                 unit.applyImpulse(signed(1e-3, 1e6, 1e50), signed(1e-3, 1e6, 1e50));
@@ -331,7 +334,7 @@ public final class Churn {
     }
 
     private Integrator integrator() {
-        return Integrator.values()[draw(3)];
+        return Integrator.values()[draw(4)];
     }
 
     private double signed(double min, double max, double most) {
@@ -366,8 +369,8 @@ public final class Churn {
     public static List<Long> bits(World world) {
         List<Long> bits = new ArrayList<>(
                 List.of(world.getTick(), bits(world.getTime()), bits(world.getDroppedTime()), bits(world.getAlpha())));
-        bits.add((long) world.getIntegrator().ordinal());
-        bits.add((long) world.getTimestep().toString().hashCode());
+        bits.add((long) world.getIntegrator().name().hashCode());
+        bits.add((long) world.getTimestep().hashCode());
         for (Unit unit : world) bits.addAll(bits(unit));
         return bits;
     }

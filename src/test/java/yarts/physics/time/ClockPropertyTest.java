@@ -192,7 +192,7 @@ class ClockPropertyTest {
             @ForAll @IntRange(min = 1, max = 100) int limit) {
         World world = new World(Integrator.EULER, Timestep.variable(maxStep).withMaxSteps(limit));
         double[] last = {0, 0};
-        world.setStepListener((w, dt) -> {
+        world.addBeforeStep((w, dt) -> {
             assertTrue(dt > 0 && dt <= maxStep, () -> dt + " > " + maxStep);
             if (last[1]++ > 0) assertEquals(last[0], dt);
             last[0] = dt;

@@ -181,7 +181,7 @@ class FrameRatePropertyTest {
             @ForAll("force") double force) {
         World world = new World(integrator, Timestep.fixed(RATE));
         Unit unit = world.add(new Unit(alone.getMass()).setFriction(alone.getFriction()));
-        world.setStepListener((w, dt) -> unit.applyForce(force, -force));
+        world.addBeforeStep((w, dt) -> unit.applyForce(force, -force));
         for (Frame frame : frames) {
             int steps = world.advance(frame.seconds());
             for (int i = 0; i < steps; i++) {

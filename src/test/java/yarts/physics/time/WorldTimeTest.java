@@ -65,7 +65,7 @@ public class WorldTimeTest {
         World world = new World(Integrator.EULER, Timestep.variable(0.1).withMaxSteps(5));
         Unit unit = world.add(new Unit(1));
         List<Double> steps = new ArrayList<>();
-        world.setStepListener((w, dt) -> steps.add(dt));
+        world.addBeforeStep((w, dt) -> steps.add(dt));
         unit.applyForce(8, 0);
         assertEquals(3, world.advance(0.25));
         assertEquals(List.of(0.25 / 3, 0.25 / 3, 0.25 / 3), steps);
@@ -82,7 +82,7 @@ public class WorldTimeTest {
     @Test
     void theVariableStepsThatDidNotRunAreDropped() {
         World world = new World(Integrator.EULER, Timestep.variable(0.25).withMaxSteps(4));
-        world.setStepListener((w, dt) -> {
+        world.addBeforeStep((w, dt) -> {
             if (w.getTick() == 1) throw new IllegalStateException("the second step");
         });
         assertThrows(IllegalStateException.class, () -> world.advance(1));
@@ -214,7 +214,7 @@ public class WorldTimeTest {
     void aStepOfMinusNoTimeIsOneOfNoTime() {
         World world = new World();
         List<Double> steps = new ArrayList<>();
-        world.setStepListener((w, dt) -> steps.add(dt));
+        world.addBeforeStep((w, dt) -> steps.add(dt));
         world.step(-0.0);
         assertEquals(List.of(0.0), steps); // which as objects are told apart
     }

@@ -14,7 +14,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import yarts.physics.Integrator;
 import yarts.physics.Snapshot;
-import yarts.physics.StepListener;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
@@ -54,7 +53,7 @@ class AllocationTest {
         World world = new World(integrator, timestep);
         for (int i = 1; i <= UNITS; i++)
             world.add(new Unit(i).setFriction(i % 7).setMaxSpeed(i % 5 == 0 ? 1 : 100));
-        world.setStepListener((w, dt) -> w.get(0).applyForce(dt, 1));
+        world.addBeforeStep((w, dt) -> w.get(0).applyForce(dt, 1));
         return world;
     }
 
@@ -165,15 +164,7 @@ class AllocationTest {
     @Test
     void bulkForcesFreezingAndSettingsAllocateNothing() {
         World world = crowd(Integrator.EULER, Timestep.fixed(60));
-        world.setStepListener(new StepListener() {
-            @Override
-            public void beforeStep(World w, double dt) {}
-
-            @Override
-            public void afterStep(World w, double dt) {
-                w.get(1).setPosition(1, 1);
-            }
-        });
+        world.addAfterStep((w, dt) -> w.get(1).moveTo(1, 1).applyForce(1, 1));
         double[] forces = new double[2 * UNITS];
         Arrays.setAll(forces, i -> i % 11 - 5);
         Integrator[] integrators = Integrator.values();
@@ -183,7 +174,7 @@ class AllocationTest {
             int i = count[0]++;
             if (i % 3 == 0) world.applyForces(forces, 0);
             world.get(i % UNITS).setFrozen(i % 2 == 0);
-            world.setIntegrator(integrators[i / 10 % 3]);
+            world.setIntegrator(integrators[i / 10 % 4]);
             world.setTimestep(timesteps[i / 20 % 3]);
             world.step();
             world.advance(0.05);

@@ -5,31 +5,19 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import yarts.physics.Integrator;
-import yarts.physics.StepListener;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
+import yarts.physics.support.Listeners;
 
 /** What the player sees while a game puts units where they belong: every frame of it is looked at. */
 class CorrectionTest {
     private static final double FRAME = 0.0125, STEP = 0.1; // s
 
     private final World world = new World(Integrator.EULER, Timestep.fixed(10));
-
-    private static StepListener after(Consumer<World> correct) {
-        return new StepListener() {
-            @Override
-            public void beforeStep(World world, double dt) {}
-
-            @Override
-            public void afterStep(World world, double dt) {
-                correct.accept(world);
-            }
-        };
-    }
+    private final Listeners listeners = new Listeners(world);
 
     /** Where a unit is drawn in each of some frames. */
     private List<Double> drawn(Unit unit, int frames) {
@@ -55,9 +43,9 @@ class CorrectionTest {
     @Test
     void aWallIsNeverDrawnThrough() {
         Unit tank = world.add(new Unit(1).setPosition(9, 0).setVelocity(10, 5));
-        world.setStepListener(after(w -> {
-            if (tank.getX() > 9.5) tank.setPosition(9.5, tank.getY()).setVelocity(0, tank.getVy());
-        }));
+        listeners.setAfter((w, dt) -> {
+            if (tank.getX() > 9.5) tank.moveTo(9.5, tank.getY()).setVelocity(0, tank.getVy());
+        });
         List<Double> xs = drawn(tank, 40);
         assertSmooth(xs, 10);
         assertEquals(9.5, xs.stream().mapToDouble(x -> x).max().orElseThrow());
@@ -71,12 +59,12 @@ class CorrectionTest {
     void anOverlapIsSolvedSmoothly() {
         Unit a = world.add(new Unit(1).setPosition(0, 0).setVelocity(10, 0));
         Unit b = world.add(new Unit(1).setPosition(5, 0));
-        world.setStepListener(after(w -> {
+        listeners.setAfter((w, dt) -> {
             double overlap = 2 - (b.getX() - a.getX());
             if (overlap <= 0) return;
-            a.setPosition(a.getX() - overlap / 2, 0);
-            b.setPosition(b.getX() + overlap / 2, 0);
-        }));
+            a.moveTo(a.getX() - overlap / 2, 0);
+            b.moveTo(b.getX() + overlap / 2, 0);
+        });
         List<Double> xs = new ArrayList<>(), others = new ArrayList<>();
         for (int i = 0; i < 80; i++) {
             world.advance(FRAME);
@@ -95,7 +83,7 @@ class CorrectionTest {
     void aMapEdgeThatWrapsIsCrossedWithoutAStreak() {
         double map = 20;
         Unit tank = world.add(new Unit(1).setPosition(18.2, 0).setVelocity(10, 0));
-        world.setStepListener((w, dt) -> {
+        listeners.setBefore((w, dt) -> {
             if (tank.getX() >= map) tank.setPosition(tank.getX() - map, tank.getY());
         });
         List<Double> xs = drawn(tank, 200);
@@ -118,7 +106,7 @@ class CorrectionTest {
         Unit tank = world.add(new Unit(1).setVelocity(100, 0));
         Unit rock = world.add(new Unit(1).setPosition(50, 0));
         double[] origin = {0, 0}; // of the state, and of the step that is drawn from
-        world.setStepListener((w, dt) -> {
+        listeners.setBefore((w, dt) -> {
             if (tank.getX() < 30) return;
             double shift = tank.getX();
             for (Unit unit : w) unit.setPosition(unit.getX() - shift, unit.getY());
@@ -140,7 +128,7 @@ class CorrectionTest {
     @Test
     void aUnitThatIsMovedByScriptIsDrawnSmoothly() {
         Unit lift = world.add(new Unit(1));
-        world.setStepListener(after(w -> lift.setPosition(3 * w.getTime(), 0)));
+        listeners.setAfter((w, dt) -> lift.moveTo(3 * w.getTime(), 0));
         List<Double> xs = drawn(lift, 100);
         for (int i = 8; i < 100; i++) assertEquals(3 * FRAME, xs.get(i) - xs.get(i - 1), 1e-12);
         assertEquals(3 * (100 * FRAME - STEP), xs.get(99), 1e-12, "a step behind the time, as all are");
@@ -153,12 +141,12 @@ class CorrectionTest {
         tank.setPosition(1000, 0);
         assertEquals(1000, tank.getInterpolatedX());
         assertEquals(1000, tank.getInterpolatedX(0));
-        world.setStepListener((w, dt) -> tank.setPosition(2000, 0));
+        listeners.setBefore((w, dt) -> tank.setPosition(2000, 0));
         world.advance(0.1);
         assertEquals(2000, tank.getInterpolatedX(0));
         assertEquals(2000.5, tank.getInterpolatedX(), 1e-12);
         Unit elsewhere = new World().add(new Unit(1));
-        world.setStepListener(after(w -> elsewhere.setPosition(7, 0)));
+        listeners.setAfter((w, dt) -> elsewhere.moveTo(7, 0));
         world.advance(0.1);
         assertEquals(7, elsewhere.getInterpolatedX(0), "of a world that is not being corrected");
     }
@@ -167,7 +155,7 @@ class CorrectionTest {
     @Test
     void aCorrectionAcrossAllDoublesStaysFinite() {
         Unit tank = world.add(new Unit(1).setPosition(-Double.MAX_VALUE, Double.MAX_VALUE));
-        world.setStepListener(after(w -> tank.setPosition(Double.MAX_VALUE, -Double.MAX_VALUE)));
+        listeners.setAfter((w, dt) -> tank.moveTo(Double.MAX_VALUE, -Double.MAX_VALUE));
         world.advance(0.15);
         for (double alpha : new double[] {0, 0.3, 1}) {
             assertTrue(Double.isFinite(tank.getInterpolatedX(alpha)) && Double.isFinite(tank.getInterpolatedY(alpha)));

@@ -9,10 +9,10 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import yarts.physics.Integrator;
 import yarts.physics.Snapshot;
-import yarts.physics.StepListener;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
+import yarts.physics.support.Listeners;
 
 /** What is called before and after each step, and what is left of a step that it stops. */
 class ListenerTest {
@@ -20,44 +20,19 @@ class ListenerTest {
         private static final long serialVersionUID = 1;
     }
 
-    /** Calls one before a step and one after it. */
-    private static StepListener listener(Runnable before, Runnable after) {
-        return new StepListener() {
-            @Override
-            public void beforeStep(World world, double dt) {
-                before.run();
-            }
-
-            @Override
-            public void afterStep(World world, double dt) {
-                after.run();
-            }
-        };
-    }
-
-    private static void nothing() {}
-
     private static void stop() {
         throw new Stop();
     }
 
     private final World world = new World(Integrator.EULER, Timestep.fixed(10).withMaxSteps(9));
+    private final Listeners listeners = new Listeners(world);
     private final Unit unit = world.add(new Unit(1));
 
     @Test
     void bothAreCalledAboutEveryStepWithItsLength() {
         List<String> calls = new ArrayList<>();
-        world.setStepListener(new StepListener() {
-            @Override
-            public void beforeStep(World w, double dt) {
-                calls.add("before " + w.getTick() + " " + dt);
-            }
-
-            @Override
-            public void afterStep(World w, double dt) {
-                calls.add("after " + w.getTick() + " " + dt);
-            }
-        });
+        world.addBeforeStep((w, dt) -> calls.add("before " + w.getTick() + " " + dt));
+        world.addAfterStep((w, dt) -> calls.add("after " + w.getTick() + " " + dt));
         world.advance(0.2);
         world.step(0.5);
         world.step();
@@ -80,7 +55,7 @@ class ListenerTest {
         unit.setVelocity(10, 0);
         for (int i = 0; i < 100; i++) world.step(0.1);
         assertEquals(100, unit.getX(), 1e-12);
-        world.setStepListener((w, dt) -> stop());
+        listeners.setBefore((w, dt) -> stop());
         assertThrows(Stop.class, () -> world.advance(0.15));
         assertEquals(100, unit.getInterpolatedX(), 1e-12);
         assertEquals(unit.getX(), unit.getInterpolatedX());
@@ -89,7 +64,7 @@ class ListenerTest {
         assertEquals(100, xy[0]);
         assertEquals(100, world.getTick());
         assertEquals(0.1, world.getDroppedTime(), 1e-15);
-        world.setStepListener(null);
+        listeners.clear();
         world.advance(0.05);
         assertEquals(100, unit.getInterpolatedX(), 1e-12, "the next step begins here");
         world.advance(0.05);
@@ -110,7 +85,7 @@ class ListenerTest {
             int last = good;
             int[] calls = {0};
             stopped.get(0).applyForce(5, 6);
-            stopped.setStepListener((w, dt) -> {
+            stopped.addBeforeStep((w, dt) -> {
                 w.get(1).applyForce(7, 8);
                 if (calls[0]++ == last) stop();
             });
@@ -141,7 +116,8 @@ class ListenerTest {
             World w = new World(Integrator.EULER, Timestep.fixed(10).withMaxSteps(9));
             Unit pushed = w.add(new Unit(1)), other = w.add(new Unit(1));
             long before = w.stateHash();
-            w.setStepListener((x, dt) -> {
+            Listeners own = new Listeners(w);
+            own.setBefore((x, dt) -> {
                 other.applyForce(3, 3);
                 stop();
             });
@@ -152,7 +128,7 @@ class ListenerTest {
             });
             assertEquals(0, pushed.getFx());
             assertEquals(0, other.getFy());
-            w.setStepListener(null);
+            own.clear();
             if (!advance) assertEquals(before, w.stateHash(), "as if nothing had been");
             w.step(0.1);
             assertEquals(0, pushed.getVx());
@@ -163,16 +139,16 @@ class ListenerTest {
     @Test
     void aStepIsFinishedEvenIfItsAfterStepThrows() {
         unit.setVelocity(10, 0);
-        world.setStepListener(listener(ListenerTest::nothing, ListenerTest::stop));
+        listeners.setAfter((w, dt) -> stop());
         assertThrows(Stop.class, () -> world.advance(0.25));
         assertEquals(1, world.getTick());
         assertEquals(1, unit.getX());
         assertEquals(0.5, unit.getInterpolatedX(), 1e-15, "half of the next step waits");
         assertEquals(0.1, world.getDroppedTime(), 1e-15);
-        world.setStepListener(null);
+        listeners.clear();
         assertEquals(1, world.advance(0.05), "and the world steps on");
         assertThrows(Stop.class, () -> {
-            world.setStepListener(listener(ListenerTest::nothing, ListenerTest::stop));
+            listeners.setAfter((w, dt) -> stop());
             world.step(0.1);
         });
         assertEquals(3, world.getTick());
@@ -182,33 +158,36 @@ class ListenerTest {
 
     @Test
     void aForceAfterAStepActsForTheNext() {
-        world.setStepListener(listener(ListenerTest::nothing, () -> {
+        listeners.setAfter((w, dt) -> {
             if (world.getTick() == 1) unit.applyForce(10, 0);
-        }));
+        });
         unit.applyForce(0, 10);
         assertEquals(2, world.advance(0.2));
         assertEquals(1, unit.getVx(), 1e-15, "the frame's next step");
         assertEquals(2, unit.getVy(), 1e-15, "to which the frame's force is added");
         assertEquals(0, unit.getFx());
-        world.setStepListener(listener(ListenerTest::nothing, () -> {
+        listeners.setAfter((w, dt) -> {
             if (world.getTick() == 3) unit.applyForce(10, 0);
-        }));
+        });
         world.advance(0.1);
-        assertEquals(10, unit.getFx(), "of no frame yet");
-        world.advance(0.1);
-        assertEquals(2, unit.getVx(), 1e-15, "the next frame");
+        assertEquals(10, unit.getFx(), "it waits");
+        assertEquals(0, world.advance(0.05));
+        assertEquals(10, unit.getFx(), "a frame without a step leaves it");
+        assertEquals(0, unit.getPendingImpulseX());
+        assertEquals(2, world.advance(0.15));
+        assertEquals(2, unit.getVx(), 1e-15, "the first of the two steps");
     }
 
     @Test
     void unitsMayComeAndGoAfterAStep() {
         Unit second = world.add(new Unit(1).setVelocity(0, 10));
         Unit late = new Unit(1).setVelocity(5, 0);
-        world.setStepListener(listener(ListenerTest::nothing, () -> {
+        listeners.setAfter((w, dt) -> {
             if (world.getTick() != 1) return;
             world.remove(unit);
             world.add(late).setPosition(100, 200);
             assertEquals(100, late.getInterpolatedX(0), "it is where it was put, and not on its way there");
-        }));
+        });
         unit.applyForce(10, 0);
         second.applyForce(10, 0);
         assertEquals(3, world.advance(0.3));
@@ -236,11 +215,13 @@ class ListenerTest {
                 String message =
                         assertThrows(IllegalStateException.class, call::run).getMessage();
                 assertEquals(
-                        "a step is running: a StepListener must not step, save, restore or set its world", message);
+                        "a step of this world is running: until it ends, no listener, factory or other thread may step, save,"
+                                + " restore or set the world",
+                        message);
                 refused[0]++;
             }
         };
-        world.setStepListener(listener(misuse, misuse));
+        listeners.set((w, dt) -> misuse.run(), (w, dt) -> misuse.run());
         world.step(1);
         assertEquals(16, refused[0]);
         assertEquals(1, world.getTick());

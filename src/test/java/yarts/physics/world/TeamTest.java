@@ -21,8 +21,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import yarts.physics.Blocks;
 import yarts.physics.Integrator;
+import yarts.physics.Tiles;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
@@ -31,7 +31,7 @@ import yarts.physics.World;
 @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // a step that never ends is to fail, not to hang
 class TeamTest {
     /** So many that seven threads get their least each. */
-    private static final int MANY = 7 * Blocks.SLICE + 100;
+    private static final int MANY = 7 * Tiles.SHARE + 100;
 
     private final List<ForkJoinPool> pools = new ArrayList<>();
 
@@ -85,13 +85,13 @@ class TeamTest {
         }
     }
 
-    /** About the ends of blocks, of the arrays that they share, and of one slice, two and three. */
+    /** At the ends of tiles, and of the shares of one thread, two and three. */
     static IntStream sizes() {
-        int block = Blocks.BLOCK, two = 2 * Blocks.SLICE - block, three = 3 * Blocks.SLICE - block;
-        IntStream ends = IntStream.of(block / 2, block, Blocks.SHARED, Blocks.SLICE, two, 2 * Blocks.SLICE, three)
+        int tile = Tiles.TILE, two = 2 * Tiles.SHARE - tile, three = 3 * Tiles.SHARE - tile;
+        IntStream ends = IntStream.of(tile / 2, tile, Tiles.SHARE, two, 2 * Tiles.SHARE, three)
                 .flatMap(end -> IntStream.of(end - 1, end, end + 1));
         return IntStream.concat(
-                IntStream.of(0, 1), IntStream.concat(ends, IntStream.of(three + block / 2, 3 * Blocks.SLICE + 800)));
+                IntStream.of(0, 1), IntStream.concat(ends, IntStream.of(three + tile / 2, 3 * Tiles.SHARE + 800)));
     }
 
     @ParameterizedTest
@@ -106,7 +106,7 @@ class TeamTest {
 
     /** With as many threads as there are blocks, or fewer or more. */
     static Stream<Arguments> fewBlocks() {
-        return IntStream.of(0, 1, Blocks.BLOCK / 2, Blocks.BLOCK, 2 * Blocks.BLOCK, 7 * Blocks.BLOCK)
+        return IntStream.of(0, 1, Tiles.TILE / 2, Tiles.TILE, 2 * Tiles.TILE, 7 * Tiles.TILE)
                 .flatMap(end -> IntStream.of(end - 1, end, end + 1))
                 .filter(units -> units >= 0)
                 .boxed()
@@ -144,7 +144,7 @@ class TeamTest {
     @Test
     void aSmallWorldWakesNobody() {
         ForkJoinPool pool = pool(4);
-        World world = crowd(Integrator.EULER, 2 * Blocks.SLICE - Blocks.BLOCK);
+        World world = crowd(Integrator.EULER, 2 * Tiles.SHARE - Tiles.TILE);
         world.setPool(pool);
         play(world);
         assertEquals(0, pool.getPoolSize());
@@ -192,7 +192,7 @@ class TeamTest {
         ForkJoinPool[] inTurn = {pool(2), null, pool(5), ForkJoinPool.commonPool()};
         World world = crowd(Integrator.EXACT, MANY);
         int[] step = {0};
-        world.setStepListener((w, dt) -> w.setPool(inTurn[step[0]++ % inTurn.length]));
+        world.addBeforeStep((w, dt) -> w.setPool(inTurn[step[0]++ % inTurn.length]));
         assertEquals(alone(Integrator.EXACT, MANY), play(world));
         assertTrue(step[0] > 8 && inTurn[0].getPoolSize() > 0 && inTurn[2].getPoolSize() > 0);
     }

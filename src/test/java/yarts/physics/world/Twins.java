@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.math.BigDecimal;
+import java.math.BigInteger;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -22,9 +25,9 @@ import java.util.stream.Collectors;
 import yarts.physics.Copies;
 import yarts.physics.Integrator;
 import yarts.physics.Snapshot;
-import yarts.physics.StepListener;
 import yarts.physics.Unit;
 import yarts.physics.World;
+import yarts.physics.support.Listeners;
 
 /**
  * A world beside a plain model of it: lists, and for every unit a twin that is never in a world. Time is counted in
@@ -32,13 +35,16 @@ import yarts.physics.World;
  * rounding; the twin then takes them as they are, so that whatever follows must be the same bits.
  */
 final class Twins {
-    private static final long SECOND = 1_000_000_000;
+    /** Time waits in parts of a nanosecond, of which there are a multiple of every rate. */
+    private static final BigInteger NANOSECOND = BigInteger.valueOf(9_000_000);
+
+    private static final BigInteger SECOND = NANOSECOND.multiply(BigInteger.valueOf(1_000_000_000));
     private static final double[] ALPHAS = {0, 0.5, 1};
 
     private static final class Twin {
         final Unit unit;
         final Unit alone;
-        /** What each step of the frame in hand gets; what its next step gets besides; and what is pending. */
+        /** The force of each step of the frame in hand; the force for the next step alone; and what is pending. */
         final double[] frame = new double[2], once = new double[2], pending = new double[2];
         /** Of what rounding errors are judged by. */
         final double[] scale = new double[2];
@@ -81,13 +87,19 @@ final class Twins {
             alone.clearForces();
         }
 
-        /** A frame that covers some seconds, of them {@code now} in this frame, and leaves {@code later} seconds of it. */
-        void spread(double now, double later, double covered) {
+        /** A frame that covers some seconds, while {@code before} have waited and {@code after} will wait. */
+        void spread(double before, double covered, double after) {
             double[] f = {alone.getFx(), alone.getFy()};
+            double old = Math.max(0, before - covered), kept = before > 0 ? old / before : 0;
             for (int k = 0; k < 2; k++) {
-                frame[k] = (pending[k] + f[k] * now) / covered;
+                if (covered < 1e-9) { // a variable step: what is pending waits on
+                    frame[k] = f[k];
+                    scale[k] += Math.abs(f[k]);
+                    continue;
+                }
+                frame[k] = (pending[k] * (1 - kept) + f[k] * (covered - before + old)) / covered;
                 scale[k] = scale[k] / covered + Math.abs(f[k]);
-                pending[k] = f[k] * later;
+                pending[k] = pending[k] * kept + f[k] * (after - old);
             }
             alone.clearForces();
         }
@@ -99,7 +111,18 @@ final class Twins {
             for (int k = 0; k < 2; k++) scale[k] += Math.abs(k == 0 ? fx : fy);
         }
 
+        /** Steps by the forces of a call of step: those applied since the last step, and those that waited for it. */
         void step(double dt, Integrator integrator) {
+            settle();
+            alone.applyForce(once[0], once[1]);
+            alone.integrate(dt, integrator);
+            for (int k = 0; k < 2; k++) {
+                once[k] = 0;
+                scale[k] = Math.abs(pending[k]);
+            }
+        }
+
+        void stepInFrame(double dt, Integrator integrator) {
             if (!unit.isFrozen()) {
                 assertEquals(frame[0] + once[0], unit.getFx(), rounding(0));
                 assertEquals(frame[1] + once[1], unit.getFy(), rounding(1));
@@ -116,7 +139,7 @@ final class Twins {
         }
 
         void frameDone() {
-            for (int k = 0; k < 2; k++) scale[k] = Math.abs(pending[k]);
+            for (int k = 0; k < 2; k++) scale[k] = Math.abs(pending[k]) + Math.abs(once[k]);
         }
 
         void comparePending() {
@@ -141,9 +164,10 @@ final class Twins {
             Time time,
             long lastId) {}
 
-    private record Time(long tick, long remainder, double time, double dropped, boolean interpolating) {}
+    private record Time(long tick, BigInteger waiting, double time, double dropped, boolean interpolating) {}
 
     private World world;
+    private Listeners listeners;
     private Integrator integrator;
     private Pace pace;
     private final List<Twin> inside = new ArrayList<>();
@@ -151,7 +175,8 @@ final class Twins {
     /** Those of this world. */
     private final List<Save> saves = new ArrayList<>();
 
-    private long tick, remainder, lastId;
+    private long tick, lastId;
+    private BigInteger waiting = BigInteger.ZERO;
     private double time, dropped;
     private boolean interpolating;
 
@@ -165,7 +190,9 @@ final class Twins {
         this.pace = pace;
         if (world != null) world.clear();
         world = new World(integrator, pace.timestep());
-        tick = remainder = lastId = 0;
+        listeners = new Listeners(world);
+        waiting = BigInteger.ZERO;
+        tick = lastId = 0;
         time = dropped = 0;
         interpolating = false;
         saves.clear();
@@ -182,21 +209,10 @@ final class Twins {
         world.setIntegrator(integrator);
     }
 
-    /** What waits is the same part of a step as before. */
+    /** Waiting time and pending impulses stay. */
     void setPace(Pace next) {
         world.setTimestep(next.timestep());
         interpolating &= next.isFixed();
-        double factor = next.isFixed() ? (double) pace.rate() / next.rate() : 0;
-        for (Twin twin : inside) {
-            for (int k = 0; k < 2; k++) {
-                twin.pending[k] *= factor;
-                twin.scale[k] *= factor;
-            }
-        }
-        if (!next.isFixed()) {
-            dropped += pace.isFixed() ? remainder / 1e9 / pace.rate() : 0;
-            remainder = 0;
-        }
         pace = next;
     }
 
@@ -262,7 +278,7 @@ final class Twins {
         Snapshot snapshot = saves.size() < 3 ? new Snapshot() : saves.remove(0).snapshot;
         world.save(snapshot);
         List<Twin> copies = inside.stream().map(twin -> twin.copy(twin.unit)).collect(Collectors.toList());
-        Time now = new Time(tick, remainder, time, dropped, interpolating);
+        Time now = new Time(tick, waiting, time, dropped, interpolating);
         saves.add(new Save(snapshot, world.stateHash(), copies, integrator, pace, now, lastId));
     }
 
@@ -310,7 +326,7 @@ final class Twins {
         pace = save.pace;
         lastId = save.lastId;
         tick = save.time.tick;
-        remainder = save.time.remainder;
+        waiting = save.time.waiting;
         time = save.time.time;
         dropped = save.time.dropped;
         interpolating = save.time.interpolating;
@@ -376,15 +392,20 @@ final class Twins {
 
     /** What is drawn runs to where a unit is put after a step, if it took part and that is not infinitely far. */
     private void correct(Twin twin, double x, double y, boolean tookPart) {
-        twin.unit.setPosition(x, y);
-        twin.alone.setPosition(x, y);
+        twin.unit.moveTo(x, y);
+        twin.alone.moveTo(x, y);
         boolean far = Double.isInfinite(x - twin.previousX) || Double.isInfinite(y - twin.previousY);
         if (far || !tookPart) twin.settle();
     }
 
     void integrateOne(int pick, double dt, Integrator integrator) {
-        change(pick, u -> u.integrate(dt, integrator));
-        if (pick(pick) != null) pick(pick).settle();
+        Twin twin = pick(pick);
+        if (twin == null) return;
+        twin.unit.integrate(dt, integrator);
+        twin.alone.applyForce(twin.once[0], twin.once[1]);
+        twin.once[0] = twin.once[1] = 0;
+        twin.alone.integrate(dt, integrator);
+        twin.settle();
     }
 
     void clearForces(int pick) {
@@ -434,10 +455,7 @@ final class Twins {
     }
 
     private void stepped(double dt) {
-        for (Twin twin : inside) {
-            twin.settle();
-            twin.alone.integrate(dt, integrator);
-        }
+        for (Twin twin : inside) twin.step(dt, integrator);
         tick++;
         time += dt;
         interpolating = false;
@@ -453,29 +471,25 @@ final class Twins {
     }
 
     private void advance(long ns, SplittableRandom orders) {
-        double elapsed = ns / 1e9;
+        double elapsed = ns / 1e9, waited = seconds(waiting);
         int steps = pace.isFixed() ? fixedFrame(ns) : variableFrame(elapsed);
         double[] stepped = {0, 0};
-        world.setStepListener(new StepListener() {
-            @Override
-            public void beforeStep(World w, double dt) {
-                assertTrue(dt <= pace.maxStep());
-                if (orders != null) orderBefore(orders);
-                for (Twin twin : inside) twin.step(dt, integrator);
-                stepped[0]++;
-                stepped[1] += dt;
-            }
-
-            @Override
-            public void afterStep(World w, double dt) {
-                if (orders != null) orderAfter(orders, stepped[0] == steps);
-            }
-        });
+        listeners.set(
+                (w, dt) -> {
+                    assertTrue(dt <= pace.maxStep());
+                    if (orders != null) orderBefore(orders);
+                    for (Twin twin : inside) twin.stepInFrame(dt, integrator);
+                    stepped[0]++;
+                    stepped[1] += dt;
+                },
+                (w, dt) -> {
+                    if (orders != null) orderAfter(orders);
+                });
         assertEquals(steps, world.advance(elapsed));
-        world.setStepListener(null);
+        listeners.clear();
         assertEquals(steps, stepped[0]);
         if (!pace.isFixed()) {
-            double all = Math.min(elapsed, pace.maxSteps() * pace.maxStep());
+            double all = Math.min(waited + elapsed, pace.maxSteps() * pace.maxStep());
             assertEquals(all, stepped[1], 1e-14 * steps * all);
         }
         if (steps > 0) for (Twin twin : inside) twin.frameDone();
@@ -493,7 +507,7 @@ final class Twins {
         if (random.nextInt(3) == 0) teleport(pick % inside.size(), coordinate(random), coordinate(random));
     }
 
-    private void orderAfter(SplittableRandom random, boolean last) {
+    private void orderAfter(SplittableRandom random) {
         int pick = random.nextInt(1 << 20), before = inside.size();
         order(random.nextInt(10), pick, random);
         if (inside.isEmpty()) return;
@@ -502,8 +516,7 @@ final class Twins {
         if (random.nextInt(2) == 0) correct(inside.get(i), coordinate(random), coordinate(random), tookPart);
         if (random.nextInt(3) != 0) return;
         double fx = coordinate(random), fy = coordinate(random);
-        if (last) change(i, u -> u.applyForce(fx, fy)); // for the next frame
-        else inside.get(i).applyOnce(fx, fy);
+        inside.get(i).applyOnce(fx, fy); // also after the last step of the frame
     }
 
     private void order(int order, int pick, SplittableRandom random) {
@@ -519,30 +532,50 @@ final class Twins {
     }
 
     private int fixedFrame(long ns) {
-        double unit = 1.0 / SECOND / pace.rate();
-        long part = ns * pace.rate() + remainder;
-        long due = part / SECOND;
+        BigInteger before = waiting, step = SECOND.divide(BigInteger.valueOf(pace.rate()));
+        BigInteger all = waiting.add(parts(ns)), due = rounded(all).divide(step);
+        waiting = all.subtract(due.multiply(step));
+        double covered = due.doubleValue() / pace.rate();
         for (Twin twin : inside) {
-            if (due == 0) twin.hold(ns / 1e9, part * unit);
-            else {
-                double now = (due * SECOND - remainder) * unit;
-                twin.spread(now, part % SECOND * unit, (double) due / pace.rate());
-            }
+            if (due.signum() == 0) twin.hold(ns / 1e9, seconds(rounded(waiting)));
+            else twin.spread(seconds(rounded(before)), covered, seconds(rounded(waiting)));
         }
-        remainder = part % SECOND;
-        int steps = (int) Math.min(due, pace.maxSteps());
-        dropped += (double) (due - steps) / pace.rate();
+        int steps = due.min(BigInteger.valueOf(pace.maxSteps())).intValue();
+        dropped += (due.doubleValue() - steps) / pace.rate();
         return steps;
     }
 
-    private int variableFrame(double frame) {
-        double elapsed = Math.min(frame, pace.maxSteps() * pace.maxStep());
-        dropped += frame - elapsed;
+    private int variableFrame(double elapsed) {
+        double before = seconds(waiting), covered = before + elapsed;
+        double time = Math.min(covered, pace.maxSteps() * pace.maxStep());
+        waiting = BigInteger.ZERO;
+        dropped += covered - time;
         for (Twin twin : inside) {
-            if (elapsed == 0) twin.hold(0, 0);
-            else twin.spread(elapsed, 0, elapsed);
+            if (covered == 0) twin.hold(0, 0);
+            else twin.spread(before, covered, 0);
         }
-        return (int) Math.min(Math.ceil(elapsed / pace.maxStep()), pace.maxSteps());
+        return (int) Math.min(Math.ceil(time / pace.maxStep()), pace.maxSteps());
+    }
+
+    private static BigInteger parts(long ns) {
+        return BigInteger.valueOf(ns).multiply(NANOSECOND);
+    }
+
+    private static double seconds(BigInteger parts) {
+        return new BigDecimal(parts)
+                .divide(new BigDecimal(SECOND), MathContext.DECIMAL64)
+                .doubleValue();
+    }
+
+    /** Fixed steps count time in parts of 1e-9 of a step, to which it is rounded. */
+    private BigInteger rounded(BigInteger time) {
+        BigInteger part = NANOSECOND.divide(BigInteger.valueOf(pace.rate()));
+        BigInteger more = time.add(part.divide(BigInteger.TWO));
+        return more.subtract(more.mod(part));
+    }
+
+    private double alpha() {
+        return pace.isFixed() ? Math.min(seconds(rounded(waiting)) * pace.rate(), Math.nextDown(1f)) : 0;
     }
 
     /** The world is what the model says: every getter of every unit, to the bit. */
@@ -555,8 +588,8 @@ final class Twins {
         assertEquals(inside.size(), world.size());
         List<Unit> expected = inside.stream().map(t -> t.unit).collect(Collectors.toList());
         assertEquals(expected, world.units());
-        double alpha = Math.min(remainder / 1e9, Math.nextDown(1f));
-        same("alpha", alpha, world.getAlpha());
+        double alpha = world.getAlpha();
+        assertEquals(alpha(), alpha, 1.1e-9, "to within a part");
         for (Twin twin : inside) {
             assertSame(world, twin.unit.getWorld());
             assertEquals(twin.id, twin.unit.getId());
@@ -614,8 +647,8 @@ final class Twins {
         same("vx", a.getVx(), u.getVx());
         same("vy", a.getVy(), u.getVy());
         same("speed", a.getSpeed(), u.getSpeed());
-        same("fx", a.getFx(), u.getFx());
-        same("fy", a.getFy(), u.getFy());
+        same("fx", a.getFx() + twin.once[0], u.getFx());
+        same("fy", a.getFy() + twin.once[1], u.getFy());
         same("mass", a.getMass(), u.getMass());
         same("friction", a.getFriction(), u.getFriction());
         same("maxSpeed", a.getMaxSpeed(), u.getMaxSpeed());

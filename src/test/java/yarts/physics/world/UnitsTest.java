@@ -48,8 +48,9 @@ class UnitsTest {
     @Test
     void settingsActFromTheNextStepOn() {
         World world = new World();
-        assertEquals(Integrator.EULER, world.getIntegrator());
-        assertEquals(Timestep.fixed(60).toString(), world.getTimestep().toString());
+        assertEquals(Integrator.EXACT, world.getIntegrator());
+        assertEquals(Timestep.fixed(60), world.getTimestep());
+        world.setIntegrator(Integrator.EULER);
         Unit unit = world.add(new Unit(1));
         unit.applyForce(2, 0);
         world.step(1);
@@ -135,8 +136,17 @@ class UnitsTest {
     @Test
     void aUnitSaysWhereItIsAndHowItMoves() {
         Unit unit = new Unit(4).setPosition(1, 2).setVelocity(3, -0.5);
-        assertEquals("Unit[x=1.0, y=2.0, vx=3.0, vy=-0.5, mass=4.0]", unit.toString());
-        assertEquals("Tank[x=0.0, y=0.0, vx=0.0, vy=0.0, mass=40000.0]", new Tank().toString());
+        assertEquals(
+                "Unit#0[x=1.0, y=2.0, vx=3.0, vy=-0.5, mass=4.0, friction=0.0, maxSpeed=Infinity]", unit.toString());
+        Unit tank = new World().add(new Tank()).setFriction(8).setMaxSpeed(15).setFrozen(true);
+        assertEquals(
+                "Tank#1[x=0.0, y=0.0, vx=0.0, vy=0.0, mass=40000.0, friction=8.0, maxSpeed=15.0, frozen]",
+                tank.toString());
+        assertEquals(
+                "World[1 units, tick=0, time=0.0, EXACT, Timestep.fixed(60).withMaxSteps(15)]",
+                tank.getWorld().toString());
+        assertEquals("Snapshot[1 units, tick=0]", tank.getWorld().save().toString());
+        assertEquals("Snapshot[empty]", new Snapshot().toString());
     }
 
     /** Neither the world nor what it makes anew holds on to units that a restore took out of it. */

@@ -2,8 +2,8 @@ package yarts.physics.world;
 
 import java.nio.ByteBuffer;
 import java.util.function.Consumer;
-import yarts.physics.Blocks;
 import yarts.physics.Integrator;
+import yarts.physics.Tiles;
 import yarts.physics.Unit;
 
 /**
@@ -66,7 +66,7 @@ public final class WorldFuzz {
     }
 
     private Integrator integrator() {
-        return Integrator.values()[octet() % 3];
+        return Integrator.values()[octet() % 4];
     }
 
     private Pace pace() {
@@ -93,7 +93,7 @@ public final class WorldFuzz {
             case 1 -> twins.setIntegrator(integrator());
             case 2 -> twins.setPace(pace());
             case 3 -> add(octet() % 8, real(1e-50, 1e50), real(0, 1e50));
-            case 4 -> add(Blocks.BLOCK - 1 + octet() % 3, 1 + octet(), octet());
+            case 4 -> add(Tiles.TILE - 1 + octet() % 3, 1 + octet(), octet());
             case 5 -> twins.add(octet());
             case 6 -> twins.remove(octet());
             case 7 -> twins.removeHeavierThan(real());

@@ -14,8 +14,8 @@ import net.jqwik.api.state.Action;
 import net.jqwik.api.state.ActionChain;
 import net.jqwik.api.state.ActionChainArbitrary;
 import net.jqwik.api.state.Transformer;
-import yarts.physics.Blocks;
 import yarts.physics.Integrator;
+import yarts.physics.Tiles;
 import yarts.physics.Unit;
 import yarts.physics.support.Doubles;
 
@@ -95,15 +95,15 @@ class WorldPropertyTest {
     private static Arbitrary<Integer> pick() {
         return Arbitraries.frequencyOf(
                 Tuple.of(3, Arbitraries.integers().between(0, 40)),
-                Tuple.of(1, Arbitraries.integers().between(0, 3 * Blocks.BLOCK)));
+                Tuple.of(1, Arbitraries.integers().between(0, 3 * Tiles.TILE)));
     }
 
     /** A handful, and now and then as many as a block has, or blocks that share their arrays, or one more or fewer. */
     private static Arbitrary<Integer> crowd(int handfuls) {
         return Arbitraries.frequencyOf(
                 Tuple.of(handfuls, Arbitraries.integers().between(1, 20)),
-                Tuple.of(30, Arbitraries.integers().between(Blocks.BLOCK - 2, Blocks.BLOCK + 2)),
-                Tuple.of(1, Arbitraries.integers().between(Blocks.SHARED - 2, Blocks.SHARED + 2)));
+                Tuple.of(30, Arbitraries.integers().between(Tiles.TILE - 2, Tiles.TILE + 2)),
+                Tuple.of(1, Arbitraries.integers().between(3 * Tiles.TILE - 2, 3 * Tiles.TILE + 2)));
     }
 
     private static Arbitrary<Pace> paces() {

@@ -2,8 +2,6 @@ package game;
 
 import com.artemis.BaseEntitySystem;
 import com.artemis.annotations.All;
-import yarts.physics.Integrator;
-import yarts.physics.Timestep;
 import yarts.physics.World;
 
 // tag::adapter[]
@@ -14,7 +12,7 @@ import yarts.physics.World;
  */
 @All(Body.class)
 final class Physics extends BaseEntitySystem {
-    final World units = new World(Integrator.EXACT, Timestep.fixed(60));
+    final World units = new World();
 
     protected void processSystem() {
         units.advance(world.getDelta());

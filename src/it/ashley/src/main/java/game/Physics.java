@@ -3,8 +3,6 @@ package game;
 import com.badlogic.ashley.core.Entity;
 import com.badlogic.ashley.core.EntityListener;
 import com.badlogic.ashley.core.EntitySystem;
-import yarts.physics.Integrator;
-import yarts.physics.Timestep;
 import yarts.physics.World;
 
 // tag::adapter[]
@@ -15,7 +13,7 @@ import yarts.physics.World;
  * {@code Family.all(Body.class).get()}.
  */
 final class Physics extends EntitySystem implements EntityListener {
-    final World world = new World(Integrator.EXACT, Timestep.fixed(60));
+    final World world = new World();
 
     public void update(float deltaTime) {
         world.advance(deltaTime);

@@ -36,7 +36,10 @@ public final class Game {
         long due = (long) (frames / rate * 60);
         require(ticks == due, "n frames of 1/n s are a second, and so 60 ticks: " + ticks + ", not " + due);
         require(world.getDroppedTime() == 0, "no time is dropped");
-        for (Unit unit : world) compare((Tank) unit, ticks);
+        for (Unit unit : world) {
+            Tank tank = (Tank) unit;
+            compare(tank, ticks, Math.exp(-tank.getFriction() * DT / tank.getMass() * ticks));
+        }
     }
 
     private static void alone() {
@@ -45,17 +48,17 @@ public final class Game {
             tank.drive();
             tank.integrate(DT);
         }
-        compare(tank, 600);
+        compare(tank, 600, Math.pow(1 - tank.getFriction() * DT / tank.getMass(), 600));
     }
 
     /**
-     * n Euler steps from rest: v = F/f (1 − (1 − z)^n) with z = f dt/m, x = (F t − m v)/f; or the top speed, if F/f is
-     * more.
+     * n steps from rest: v = F/f (1 − k) with k = e^(−n z), or k = (1 − z)^n for Euler, z = f dt/m; x = (F t − m v)/f; or
+     * the top speed, if F/f is more.
      */
-    private static void compare(Tank tank, long n) {
+    private static void compare(Tank tank, long n, double k) {
         double force = tank.getEngine(), f = tank.getFriction(), m = tank.getMass();
         double terminal = force / f;
-        double v = terminal * (1 - Math.pow(1 - f * DT / m, n));
+        double v = terminal * (1 - k);
         if (terminal <= tank.getMaxSpeed()) {
             near(v, tank.getVx());
             near((force * n * DT - m * v) / f, tank.getX());

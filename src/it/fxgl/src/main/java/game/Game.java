@@ -32,7 +32,7 @@ public final class Game extends GameApplication {
     private static final Logger LOGGER = Logger.getLogger("javafx");
 
     // tag::adapter[]
-    private final World world = new World(Integrator.EXACT, Timestep.fixed(60));
+    private final World world = new World();
     private final Map<Unit, Entity> entities = new HashMap<>();
 
     /** Steps the world once a frame. FXGL calls it after the components, which have given their orders. */

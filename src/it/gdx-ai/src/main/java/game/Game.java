@@ -50,7 +50,7 @@ public final class Game {
             group.add(Steered.steerable(world.add(unit)));
         }
         for (int i = 0; i < tanks; i++) behaviours.put(world.get(i), behaviour(group.get(i), group));
-        world.setStepListener((w, dt) -> steer(dt));
+        world.addBeforeStep((w, dt) -> steer(dt));
     }
 
     private static SteeringBehavior<Vector2> behaviour(Steerable<Vector2> self, List<Steerable<Vector2>> group) {

@@ -4,15 +4,13 @@ import com.jme3.app.state.AbstractAppState;
 import com.jme3.scene.Spatial;
 import java.util.HashMap;
 import java.util.Map;
-import yarts.physics.Integrator;
-import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
 // tag::adapter[]
 /** Steps a world once a frame, and moves the spatials of its units over the ground, which is x and z in jME. */
 final class UnitsState extends AbstractAppState {
-    final World world = new World(Integrator.EXACT, Timestep.fixed(60));
+    final World world = new World();
     final Map<Unit, Spatial> spatials = new HashMap<>();
 
     @Override

@@ -7,8 +7,6 @@ import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.Texture;
 import com.badlogic.gdx.graphics.g2d.SpriteBatch;
 import com.badlogic.gdx.utils.ScreenUtils;
-import yarts.physics.Integrator;
-import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
@@ -19,7 +17,7 @@ public class Battle extends ApplicationAdapter {
     private Texture picture;
 
     // tag::render[]
-    private final World world = new World(Integrator.EXACT, Timestep.fixed(60));
+    private final World world = new World(); // EXACT, 60 steps per second
     private final Unit tank = world.add(new Unit(40_000).setFriction(8_000).setMaxSpeed(15)); // kg, N·s/m, m/s
 
     @Override

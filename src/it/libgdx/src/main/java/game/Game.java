@@ -143,7 +143,7 @@ public final class Game extends ApplicationAdapter {
         for (int i = 0; i < squad.length; i++) {
             squad[i] = world.add(new Unit(1).setFriction(40).setPosition(10 * i * i - 30, 0));
         }
-        world.setStepListener((w, dt) -> {
+        world.addBeforeStep((w, dt) -> {
             for (int i = 0; i < squad.length; i++) squad[i].applyForce(300 * (i - squad[i].getX()), 0);
         });
         return squad;

@@ -29,7 +29,7 @@ public final class Game {
         lookInto(physics.getDescriptor());
         int classes = lookInto(physics, Path.of(args[0]));
         Object steps = World.class.getMethod("advance", double.class).invoke(new World(), 0.1);
-        require(steps.equals(6), "a script reaches what World has from a class that is not public");
+        require(steps.equals(6), "reflection reaches World's methods");
         int tanks = play();
         System.out.println("module-path: " + physics + " requires java.base alone, its jar holds " + classes
                 + " classes and no test; " + tanks + " tanks drove as the closed form says");

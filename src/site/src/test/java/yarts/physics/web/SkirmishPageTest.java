@@ -198,9 +198,9 @@ class SkirmishPageTest {
         assertEquals("25 /s", text("rate-value"));
         assertEquals("1.80", text("z"));
         press("I");
-        assertEquals("MIDPOINT", chromium.executeScript("return document.getElementById('integrator').value"));
+        assertEquals("SEMI_IMPLICIT", chromium.executeScript("return document.getElementById('integrator').value"));
         for (int i = 0; i < 3; i++) press(".");
-        assertEquals(hash(3, true, Integrator.MIDPOINT, 45, 25, game -> {}), text("naive-hash"));
+        assertEquals(hash(3, true, Integrator.SEMI_IMPLICIT, 45, 25, game -> {}), text("naive-hash"));
         chromium.findElement(By.id("restart")).click();
         press(" "); // goes on, rather than press the button again
         assertEquals("Pause", text("pause"));

@@ -22,16 +22,16 @@ import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import yarts.physics.Blocks;
 import yarts.physics.Integrator;
 import yarts.physics.Snapshot;
+import yarts.physics.Tiles;
 import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Churn;
 
 /** Every argument of every method: accepted and harmless, or refused with value and rule, and nothing changed. */
-class DoorsTest {
+class ArgumentsTest {
     private static final double[] VALUES = {
         Double.NaN,
         Double.POSITIVE_INFINITY,
@@ -215,7 +215,7 @@ class DoorsTest {
     @Test
     void bulkForcesAreAppliedToAllOrToNone() {
         World world = new World();
-        for (int i = 0; i <= Blocks.BLOCK; i++) world.add(new Unit(1 + i)).applyForce(i, 1);
+        for (int i = 0; i <= Tiles.TILE; i++) world.add(new Unit(1 + i)).applyForce(i, 1);
         int length = 2 * world.size();
         List<Object> before = state(world);
         for (int bad : new int[] {0, 1, length / 2, length - 2, length - 1}) {

@@ -1,12 +1,13 @@
 package yarts.physics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.lang.reflect.Field;
+import java.lang.reflect.Modifier;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -26,62 +27,34 @@ import org.objectweb.asm.ClassVisitor;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
 
-/** The library is a house of floors: each file knows only those below it. The JDK's jdeps reads it from the classes. */
-class FloorsTest {
+/** The library consists of layers: each file depends only on lower ones. The JDK's jdeps reads it from the classes. */
+class ArchitectureTest {
     private static final Path CLASSES = Path.of("target/classes");
-    private static final Path SOURCES = Path.of("src/main/java/yarts/physics");
 
-    /** From the ground up: what each file may know. */
-    private static final String[] HOUSE = {
-        "Check:",
-        "Integrator:",
-        "Columns:",
-        "Exponential:",
-        "Crew:",
-        "Timestep: Check",
-        "Clock: Check Timestep",
-        "Table: Columns",
-        "Kernel: Columns",
-        "Passes: Columns Kernel",
-        "Coefficients: Columns Exponential Integrator Kernel",
-        "Impulses: Columns Table",
-        "Bulk: Check Columns Table",
-        "Team: Crew",
-        "Stepper: Coefficients Columns Crew Integrator Kernel Passes Table",
-        "State: Clock Columns Integrator Table Timestep",
-        "SnapshotFormat: Check Clock Columns Integrator Kernel State Table Timestep",
-        "Difference: Clock Columns Integrator State Table Timestep",
-        "Row: Columns",
-        "Unit: Bulk Check Coefficients Columns Integrator Kernel Row",
-        "Members: Check Columns Row Table Unit",
-        "Snapshot: Check Clock Difference Integrator SnapshotFormat State Table Timestep Unit",
-        "Simulation: Bulk Check Clock Impulses Integrator State Stepper Table Team Crew Timestep",
-        "StepListener:",
-        "World: Check Integrator Members Simulation Snapshot State StepListener Table Timestep Unit",
-    };
+    /** The layers from the bottom up. */
+    private static final List<Set<String>> LAYERS = List.of(
+            Set.of("Check", "Integrator", "Exponential", "Crew"),
+            Set.of("Table", "Timestep", "Team"),
+            Set.of("Clock", "Kernel", "Coefficients", "Impulses", "Bulk"),
+            Set.of("Passes", "State"),
+            Set.of("Stepper", "SnapshotFormat", "Difference"),
+            Set.of("Unit", "StepListener"),
+            Set.of("Members", "Snapshot"),
+            Set.of("World"));
 
-    /** A unit tells its world, and a listener is told it: the API asks for these two arrows upward. */
+    /** A unit returns its world, and a listener receives it: the API requires these two dependencies upward. */
     private static final Map<String, String> UPWARD = Map.of("Unit", "World", "StepListener", "World");
 
-    private static final Map<String, Set<String>> ALLOWED = allowed();
-
-    private static Map<String, Set<String>> allowed() {
-        Map<String, Set<String>> allowed = new TreeMap<>();
-        for (String floor : HOUSE) {
-            String[] parts = floor.split(":", 2);
-            Set<String> below = new TreeSet<>(List.of(parts[1].trim().split(" +")));
-            below.remove("");
-            assertTrue(allowed.keySet().containsAll(below), () -> floor + " is not above all of these");
-            allowed.put(parts[0], below);
-        }
-        return allowed;
+    private static int layer(String file) {
+        for (int k = 0; k < LAYERS.size(); k++) if (LAYERS.get(k).contains(file)) return k;
+        throw new AssertionError(file + " is in no layer");
     }
 
-    /** From a class of the library's to another class, if that is the library's, too. A file's inner classes are its own. */
+    /** A dependency of a class on another class of the library. Inner classes count as their file. */
     private static final Pattern ARROW =
             Pattern.compile("^ *yarts\\.physics\\.(\\w+)(?:\\$\\w+)* +-> (?:yarts\\.physics\\.(\\w+))?");
 
-    /** By file, the files whose classes its classes name anywhere. */
+    /** The files on which each file depends. */
     private static Map<String, Set<String>> known() {
         StringWriter out = new StringWriter();
         PrintWriter writer = new PrintWriter(out);
@@ -101,48 +74,50 @@ class FloorsTest {
     }
 
     @Test
-    void everyFileKnowsOnlyThoseBelowIt() {
+    void everyFileDependsOnlyOnLowerLayers() {
         Map<String, Set<String>> known = known();
-        assertEquals(ALLOWED.keySet(), known.keySet());
+        Set<String> files = LAYERS.stream().flatMap(Set::stream).collect(Collectors.toSet());
+        assertEquals(files, known.keySet());
         List<String> wrong = new ArrayList<>();
         known.forEach((file, others) -> {
             for (String other : others) {
                 boolean upward = other.equals(UPWARD.get(file));
-                if (!upward && !ALLOWED.get(file).contains(other)) wrong.add(file + " -> " + other);
+                if (!upward && layer(other) >= layer(file)) wrong.add(file + " -> " + other);
             }
         });
         assertEquals(List.of(), wrong);
-    }
-
-    /** And so the only circles are a unit's and a listener's with their world. */
-    @Test
-    void theTwoArrowsUpwardAreThere() {
-        Map<String, Set<String>> known = known();
         UPWARD.forEach((file, other) -> assertTrue(known.get(file).contains(other), file));
-        known.get("Unit").remove("World");
-        known.get("StepListener").remove("World");
-        while (!known.isEmpty()) {
-            Set<String> ground = known.entrySet().stream()
-                    .filter(e -> e.getValue().isEmpty())
-                    .map(Map.Entry::getKey)
-                    .collect(Collectors.toSet());
-            assertFalse(ground.isEmpty(), () -> "a circle among " + known);
-            known.keySet().removeAll(ground);
-            known.values().forEach(others -> others.removeAll(ground));
-        }
     }
 
     @Test
-    void noFileIsOver12Kilobytes() throws IOException {
-        try (Stream<Path> files = Files.list(SOURCES)) {
-            List<String> large = files.filter(file -> file.toFile().length() > 12_000)
-                    .map(file -> file.getFileName() + " " + file.toFile().length())
-                    .toList();
-            assertEquals(List.of(), large);
+    void publicTypesAreFewAndExtendObject() throws Exception {
+        Set<String> types = new TreeSet<>();
+        for (String file : known().keySet()) {
+            Class<?> type = Class.forName("yarts.physics." + file);
+            if (!Modifier.isPublic(type.getModifiers())) continue;
+            types.add(file);
+            boolean plain = type.isInterface() || type.isEnum() || type.getSuperclass() == Object.class;
+            assertTrue(plain, file + " extends " + type.getSuperclass());
         }
+        assertEquals(Set.of("Integrator", "Snapshot", "StepListener", "Timestep", "Unit", "World"), types);
     }
 
-    /** So a game without a pool can be compiled for a platform that has no threads. */
+    /** State outside of a world would be shared by worlds on different threads. */
+    @Test
+    void noClassHasStaticState() throws Exception {
+        List<String> variable = new ArrayList<>();
+        for (String file : known().keySet()) {
+            for (Field field : Class.forName("yarts.physics." + file).getDeclaredFields()) {
+                int modifiers = field.getModifiers();
+                boolean probe = file.equals("Check") && Modifier.isVolatile(modifiers); // of the arithmetic
+                if (Modifier.isStatic(modifiers) && !Modifier.isFinal(modifiers) && !probe)
+                    variable.add(file + "." + field.getName());
+            }
+        }
+        assertEquals(List.of(), variable);
+    }
+
+    /** So that a game without a pool can be compiled for a platform without threads. */
     @Test
     void threadsAreReachedOnlyFromSetPool() throws IOException {
         Set<String> users = new TreeSet<>();
@@ -153,11 +128,10 @@ class FloorsTest {
                 reader.accept(new ThreadUsers(name, users), 0);
             }
         }
-        assertEquals(
-                Set.of("Simulation.setPool", "World.setPool"), users); // javac has World inherit it through a bridge
+        assertEquals(Set.of("World.setPool"), users);
     }
 
-    /** Notes which methods use Team or anything of java.util.concurrent; Team's own are what it is for. */
+    /** Collects the methods that use Team or java.util.concurrent, other than those of Team. */
     private static final class ThreadUsers extends ClassVisitor {
         private final String file;
         private final Set<String> users;
