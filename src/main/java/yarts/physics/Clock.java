@@ -96,6 +96,11 @@ final class Clock {
         return remainder;
     }
 
+    /** The parts of a remainder that are not covered by some steps. It is less than a second, so a second covers it. */
+    long old(long before, long steps) {
+        return steps < timestep.rate ? Math.max(0, before - steps * STEP) : 0;
+    }
+
     /** Converts parts to seconds. */
     double seconds(long parts) {
         return parts / ((double) STEP * rate(timestep));

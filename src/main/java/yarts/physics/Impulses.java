@@ -50,11 +50,13 @@ final class Impulses {
      * The share is computed as F + (P (1 − old/before) − F (before − old)) / covered, which passes on a constant force to
      * the bit. Variable steps that cover less than a nanosecond leave P as it is.
      *
+     * @param kept old/before, the fraction of P that stays pending
+     * @param used before − old, the seconds of the waiting time that the steps cover
+     * @param later after − old, the seconds of this frame that the steps do not cover
      * @param repeated whether there is more than one step
      */
-    static void begin(Table t, double before, double after, double covered, boolean repeated) {
-        double old = Math.max(0, before - covered), kept = before > 0 ? old / before : 0;
-        double used = before - old, later = after - old, perSecond = 1 / covered;
+    static void begin(Table t, double kept, double used, double later, double covered, boolean repeated) {
+        double perSecond = 1 / covered;
         if (covered < 1e-9) { // 1 / covered may be infinite
             kept = 1;
             used = later = perSecond = 0;
@@ -64,7 +66,7 @@ final class Impulses {
             int start = Table.start(k), end = t.lanes(k);
             spread(t.pendingX, t.fx, start, end, kept, used, later, perSecond);
             spread(t.pendingY, t.fy, start, end, kept, used, later, perSecond);
-            t.pending[k] = after > 0 || kept > 0;
+            t.pending[k] = later > 0 || kept > 0;
             t.pushed[k] = true;
             if (!repeated) continue;
             System.arraycopy(t.fx, start, t.frameX, start, end - start);

@@ -242,8 +242,9 @@ public final class World implements Iterable<Unit> {
             Impulses.hold(state.table, clock.seconds(after - before));
             return 0;
         }
-        double covered = (double) due / timestep.rate;
-        Impulses.begin(state.table, clock.seconds(before), clock.seconds(after), covered, due > 1);
+        long old = clock.old(before, due);
+        double kept = before > 0 ? (double) old / before : 0, covered = (double) due / timestep.rate;
+        Impulses.begin(state.table, kept, clock.seconds(before - old), clock.seconds(after - old), covered, due > 1);
         return runFrame(due, timestep.maxStep, true);
     }
 
@@ -259,7 +260,7 @@ public final class World implements Iterable<Unit> {
         if (time < covered) clock.drop(covered - time);
         long steps = Math.max(1, (long) (time / timestep.maxStep));
         if (time / steps > timestep.maxStep && steps < timestep.maxSteps) steps++;
-        Impulses.begin(state.table, before, 0, covered, steps > 1);
+        Impulses.begin(state.table, 0, before, 0, covered, steps > 1);
         return runFrame(steps, Math.min(time / steps, timestep.maxStep), false);
     }
 

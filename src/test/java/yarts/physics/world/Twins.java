@@ -87,19 +87,18 @@ final class Twins {
             alone.clearForces();
         }
 
-        /** A frame that covers some seconds, while {@code before} have waited and {@code after} will wait. */
-        void spread(double before, double covered, double after) {
+        /** A frame of which the steps cover {@code now} seconds; of the pending impulse, a part is kept. */
+        void spread(double kept, double now, double later, double covered) {
             double[] f = {alone.getFx(), alone.getFy()};
-            double old = Math.max(0, before - covered), kept = before > 0 ? old / before : 0;
             for (int k = 0; k < 2; k++) {
                 if (covered < 1e-9) { // a variable step: what is pending waits on
                     frame[k] = f[k];
                     scale[k] += Math.abs(f[k]);
                     continue;
                 }
-                frame[k] = (pending[k] * (1 - kept) + f[k] * (covered - before + old)) / covered;
+                frame[k] = (pending[k] * (1 - kept) + f[k] * now) / covered;
                 scale[k] = scale[k] / covered + Math.abs(f[k]);
-                pending[k] = pending[k] * kept + f[k] * (after - old);
+                pending[k] = pending[k] * kept + f[k] * later;
             }
             alone.clearForces();
         }
@@ -532,13 +531,17 @@ final class Twins {
     }
 
     private int fixedFrame(long ns) {
-        BigInteger before = waiting, step = SECOND.divide(BigInteger.valueOf(pace.rate()));
-        BigInteger all = waiting.add(parts(ns)), due = rounded(all).divide(step);
-        waiting = all.subtract(due.multiply(step));
-        double covered = due.doubleValue() / pace.rate();
+        BigInteger before = rounded(waiting), step = SECOND.divide(BigInteger.valueOf(pace.rate()));
+        BigInteger all = waiting.add(parts(ns)), due = rounded(all).divide(step), cover = due.multiply(step);
+        waiting = all.subtract(cover);
+        BigInteger old = before.subtract(cover).max(BigInteger.ZERO), after = rounded(waiting);
+        double kept = before.signum() > 0 ? seconds(old) / seconds(before) : 0;
         for (Twin twin : inside) {
-            if (due.signum() == 0) twin.hold(ns / 1e9, seconds(rounded(waiting)));
-            else twin.spread(seconds(rounded(before)), covered, seconds(rounded(waiting)));
+            if (due.signum() == 0) twin.hold(ns / 1e9, seconds(after));
+            else {
+                double now = seconds(cover.subtract(before).add(old)), later = seconds(after.subtract(old));
+                twin.spread(kept, now, later, seconds(cover));
+            }
         }
         int steps = due.min(BigInteger.valueOf(pace.maxSteps())).intValue();
         dropped += (due.doubleValue() - steps) / pace.rate();
@@ -552,7 +555,7 @@ final class Twins {
         dropped += covered - time;
         for (Twin twin : inside) {
             if (covered == 0) twin.hold(0, 0);
-            else twin.spread(before, covered, 0);
+            else twin.spread(0, elapsed, 0, covered);
         }
         return (int) Math.min(Math.ceil(time / pace.maxStep()), pace.maxSteps());
     }
