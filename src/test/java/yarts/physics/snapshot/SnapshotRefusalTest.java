@@ -102,6 +102,34 @@ class SnapshotRefusalTest {
         assertEquals(1, outside.getMass());
     }
 
+    @Test
+    void aFactoryThatChangesTheWorldIsRefused() {
+        Snapshot bytes = Snapshot.fromBytes(saved.toBytes());
+        for (Runnable change : List.<Runnable>of(
+                () -> world.remove(c), () -> world.add(new Unit(5)), world::clear, () -> world.removeIf(u -> true))) {
+            world.restore(saved);
+            world.remove(a);
+            Exception e = assertThrows(
+                    IllegalStateException.class,
+                    () -> world.restore(bytes, id -> {
+                        change.run();
+                        return new Unit(1);
+                    }));
+            assertEquals("the factory must not change the world", e.getMessage());
+        }
+        world.restore(saved);
+        world.remove(a);
+        String message =
+                "a restore of this world is running: until it ends, no listener, factory or other thread may step,"
+                        + " save, restore or set the world";
+        for (Runnable change : List.<Runnable>of(world::step, world::save, () -> world.restore(saved))) {
+            refusedFactory(IllegalStateException.class, message, bytes, id -> {
+                change.run();
+                return new Unit(1);
+            });
+        }
+    }
+
     private void refusedFactory(
             Class<? extends Exception> type, String message, Snapshot from, LongFunction<Unit> factory) {
         refused(type, message, () -> world.restore(from, factory));

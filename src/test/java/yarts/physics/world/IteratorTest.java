@@ -2,6 +2,7 @@ package yarts.physics.world;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -327,5 +328,34 @@ class IteratorTest {
                 fails(units::previous);
             }
         }
+    }
+
+    @Test
+    void listsOfUnitsHaveIndicesAndCannotBeModified() {
+        World world = new World();
+        for (int i = 0; i < 5; i++) world.add(new Unit(1));
+        List<Unit> middle = world.units().subList(1, 4);
+        for (int i = 0; i < 3; i++) assertSame(world.get(i + 1), middle.get(i));
+        assertSame(world.get(2), middle.subList(1, 3).get(0));
+        assertEquals(3, world.units().lastIndexOf(world.get(3)));
+        assertEquals(-1, world.units().lastIndexOf(new Unit(1)));
+        ListIterator<Unit> units = middle.listIterator(1);
+        assertEquals(1, units.nextIndex());
+        assertEquals(0, units.previousIndex());
+        for (Executable wrong : List.<Executable>of(
+                () -> middle.get(3),
+                () -> middle.get(-1),
+                () -> middle.subList(2, 4),
+                () -> middle.subList(-1, 2),
+                () -> middle.listIterator(4),
+                () -> world.units().listIterator(6))) {
+            assertThrows(IndexOutOfBoundsException.class, wrong);
+        }
+        ListIterator<Unit> own = (ListIterator<Unit>) world.iterator();
+        own.next();
+        assertThrows(UnsupportedOperationException.class, () -> own.set(new Unit(1)));
+        assertThrows(UnsupportedOperationException.class, () -> own.add(new Unit(1)));
+        assertThrows(UnsupportedOperationException.class, () -> middle.remove(0));
+        assertEquals(5, world.size());
     }
 }
