@@ -58,7 +58,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
     }
 
     private int home(long id) {
-        return (int) (id * GOLDEN >>> 32) & (slots.length - 1);
+        return (int) ((id * GOLDEN) >>> 32) & (slots.length - 1);
     }
 
     private int next(int slot) {
@@ -181,7 +181,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
     private boolean isSame(Table saved, Unit[] known) {
         if (saved.size != size()) return false;
         for (int i = 0; i < saved.size; i++) {
-            if (saved.id[i] != state.table.id[i] || known != null && known[i] != list[i]) return false;
+            if (saved.id[i] != state.table.id[i] || (known != null && known[i] != list[i])) return false;
         }
         return true;
     }
@@ -258,7 +258,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
 
     @Override
     public int indexOf(Object o) {
-        return o instanceof Unit && has((Unit) o) ? ((Unit) o).row : -1;
+        return o instanceof Unit unit && has(unit) ? unit.row : -1;
     }
 
     @Override

@@ -30,7 +30,7 @@ final class Stepper implements Crew.Work {
     @Override
     public void run(int tile) {
         Table t = table;
-        if (!t.pushed[tile] && (t.asleep[tile] || steps % PATIENCE == 0 && fallsAsleep(t, tile))) return;
+        if (!t.pushed[tile] && (t.asleep[tile] || (steps % PATIENCE == 0 && fallsAsleep(t, tile)))) return;
         if (t.stale[tile]) Coefficients.renewTile(t, tile);
         int start = Table.start(tile), end = t.lanes(tile);
         if (t.pushed[tile]) Passes.step(t, dt, start, end);

@@ -99,9 +99,10 @@ public final class Timestep {
      */
     @Override
     public boolean equals(Object other) {
-        if (!(other instanceof Timestep)) return false;
-        Timestep that = (Timestep) other;
-        return rate == that.rate && maxStep == that.maxStep && maxSteps == that.maxSteps;
+        return other instanceof Timestep that
+                && rate == that.rate
+                && maxStep == that.maxStep
+                && maxSteps == that.maxSteps;
     }
 
     /** {@return a hash code of all properties} */

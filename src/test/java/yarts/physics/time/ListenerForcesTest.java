@@ -64,7 +64,7 @@ class ListenerForcesTest {
         });
         if (framesPerSecond == 0) for (int i = 0; i < seconds * 60; i++) world.step();
         else for (int i = 0; i < seconds * framesPerSecond; i++) world.advance(1.0 / framesPerSecond);
-        assertEquals(seconds * 60, world.getTick());
+        assertEquals(seconds * 60L, world.getTick());
         path.addAll(List.of(unit.getX(), unit.getVx(), unit.getFx()));
         return path;
     }
