@@ -50,7 +50,14 @@ final class Table {
         "previousY"
     };
 
-    private static final int X = 0, Y = 1, MASS = 4, PREVIOUS_X = 17, PREVIOUS_Y = 18, CAP = 19, COLUMNS = 25;
+    private static final int X = 0,
+            Y = 1,
+            MASS = 4,
+            PREVIOUS_X = 17,
+            PREVIOUS_Y = 18,
+            CAP = 19,
+            COPIED = 22,
+            COLUMNS = 25;
 
     /** The world of the rows' units; null outside a world. */
     Object owner;
@@ -77,12 +84,12 @@ final class Table {
 
     /** The top speed within the numbers with which {@link Kernel} can compute. It follows from the state. */
     double[] cap;
-    /** The coefficients of {@link Kernel}, which follow from the state for one {@link #dt} and {@link #integrator}. */
-    double[] decay, gain, lag;
     /** The force that a frame gives to each of its steps, while they run. */
     double[] frameX, frameY;
+    /** The coefficients of {@link Kernel}, which follow from the state for one {@link #dt} and {@link #integrator}. */
+    double[] decay, gain, lag;
 
-    /** All of these columns: those of the state, then the cap, then the others. */
+    /** All of these columns: those of the state, the cap and the frame's force, then the coefficients, which are not copied. */
     private double[][] all;
 
     /** Tiles in which rows may have a force for the next step, a pending impulse, a waiting force, a frame's force. */
@@ -146,11 +153,11 @@ final class Table {
         previousX = all[k++];
         previousY = all[k++];
         cap = all[k++];
+        frameX = all[k++];
+        frameY = all[k++];
         decay = all[k++];
         gain = all[k++];
-        lag = all[k++];
-        frameX = all[k++];
-        frameY = all[k];
+        lag = all[k];
     }
 
     /** {@return the columns of the state, as {@link #STATE} names them} */
@@ -217,10 +224,10 @@ final class Table {
         use(columns);
     }
 
-    /** Copies a row to a row of another table, or of this one. */
+    /** Copies a row to a row of another table, or of this one. Its coefficients must be computed then. */
     void copyRow(int i, Table to, int j) {
         to.id[j] = id[i];
-        for (int k = 0; k < COLUMNS; k++) to.all[k][j] = all[k][i];
+        for (int k = 0; k < COPIED; k++) to.all[k][j] = all[k][i];
         int tile = tile(j);
         to.asleep[tile] = false;
         if (fx[i] != 0 || fy[i] != 0) to.pushed[tile] = true;
@@ -265,10 +272,11 @@ final class Table {
 
     /** Takes rows from one on out of use. */
     void truncate(int newSize) {
-        for (double[] column : all) Arrays.fill(column, newSize, size, 0);
-        Arrays.fill(mass, newSize, size, 1);
-        Arrays.fill(cap, newSize, size, 1);
-        Arrays.fill(id, newSize, size, 0);
+        for (int i = newSize; i < size; i++) {
+            for (int k = 0; k < COPIED; k++) all[k][i] = 0;
+            mass[i] = cap[i] = 1;
+            id[i] = 0;
+        }
         size = newSize;
     }
 
