@@ -20,7 +20,7 @@ public class StepBenchmark extends Workload {
     @Param({"1000", "10000", "100000", "1000000"})
     public int units;
 
-    @Param({"EULER", "MIDPOINT", "EXACT"})
+    @Param({"EULER", "SEMI_IMPLICIT", "MIDPOINT", "EXACT"})
     public Integrator integrator;
 
     private Army army;
