@@ -284,7 +284,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
     private void checkUnchanged(int changes) {
         if (modCount == changes) return;
         throw new ConcurrentModificationException(
-                "units were added or removed during the iteration, and not by the iterator's own remove");
+                "units were added, removed or reordered since this iterator or sublist was created");
     }
 
     /** The units from one index to another, as long as none is added or removed. */

@@ -80,7 +80,8 @@ public final class World implements Iterable<Unit> {
     /**
      * Sets the rule by which {@link #advance} turns time into steps from now on. Time that waits for a step and pending
      * impulses keep their values; {@link #getAlpha()} follows from them, so that the picture may jump by a part of a step.
-     * On a change to variable steps, the waiting time is added to the next advance.
+     * On a change to variable steps, the waiting time is added to the next advance. The waiting time, less than a second, may
+     * be longer than a new step: then the next advance, even by 0, runs steps for it.
      *
      * @param timestep the timestep
      * @throws IllegalStateException if called from a {@link StepListener}
@@ -124,10 +125,12 @@ public final class World implements Iterable<Unit> {
     }
 
     /**
-     * Removes all units that match the filter, in the order of {@link #iterator()}.
+     * Removes all units that match the filter, in the order of {@link #iterator()}. If the filter throws an exception, those
+     * that matched before it are removed.
      *
-     * @param filter called once for each unit; it must not change this world
+     * @param filter called once for each unit
      * @return whether any unit was removed
+     * @throws java.util.ConcurrentModificationException if the filter adds or removes units
      */
     public boolean removeIf(Predicate<? super Unit> filter) {
         return members.removeIf(filter);
@@ -339,7 +342,10 @@ public final class World implements Iterable<Unit> {
         return state.clock.time();
     }
 
-    /** {@return the time in seconds that {@link #advance} has dropped because it was beyond the limit of steps} */
+    /**
+     * {@return the time in seconds that {@link #advance} has dropped: beyond the limit of steps, or of steps that did not run
+     * because a listener threw an exception}
+     */
     public double getDroppedTime() {
         return state.clock.droppedTime();
     }
@@ -372,7 +378,8 @@ public final class World implements Iterable<Unit> {
     }
 
     /**
-     * Removes all registrations of a listener, before and after the step. If it is removed during a step, it is not called
+     * Removes all registrations of a listener, before and after the step. It must be the same object that was added: two uses of
+     * a lambda or of a method reference are different objects. If it is removed during a step, it is not called
      * from the next phase of listeners on.
      *
      * @param listener the same object that was added, or null
