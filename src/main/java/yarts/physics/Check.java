@@ -43,6 +43,11 @@ final class Check {
         return maxSpeed + 0.0;
     }
 
+    static double motorForce(String name, double force) {
+        if (!(force >= 0 && force <= MAX)) throw refused(name, "finite, >= 0 and <= 1.0E50 N", force);
+        return force + 0.0;
+    }
+
     static double finite(String name, double value) {
         if (!(Math.abs(value) <= Double.MAX_VALUE)) throw refused(name, "finite", value);
         return value + 0.0;

@@ -6,6 +6,7 @@ package yarts.physics;
  *
  * <pre>{@code
  * v' = decay v + gain F                     decay(z), gain(z) dt/m of Integrator
+ * v' = (1 − k) v' + k u                     the motor: k = reach / max(|u − v'|, reach), reach = gain R
  * v' = v' min(1, cap/|v'|)                  the speed cap, which keeps the direction
  * x' = x + dt (lag v + (1 − lag) v')        lag(z) of Integrator
  * F  = 0
@@ -42,11 +43,14 @@ final class Kernel {
 
     private Kernel() {}
 
-    /** A step of row i: forces and friction, speed cap, position; then the forces are cleared. */
+    /** A step of row i: forces and friction, motor, speed cap, position; then the forces are cleared. */
     static void step(Table t, int i, double dt) {
         double vx = t.vx[i], vy = t.vy[i], decay = t.decay[i], gain = t.gain[i], lag = t.lag[i];
         double nextX = velocity(decay, vx, gain, t.fx[i]);
         double nextY = velocity(decay, vy, gain, t.fy[i]);
+        double k = share(distance(nextX, nextY, t.motorVx[i], t.motorVy[i]), gain, t.motorForce[i]);
+        nextX = blend(nextX, t.motorVx[i], k);
+        nextY = blend(nextY, t.motorVy[i], k);
         double left = left(nextX, nextY, t.cap[i]);
         nextX = rest(nextX * left);
         nextY = rest(nextY * left);
@@ -62,6 +66,25 @@ final class Kernel {
     /** v' before the speed cap. */
     static double velocity(double decay, double v, double gain, double force) {
         return decay * v + gain * force;
+    }
+
+    /** |u − v'|, the distance of the velocity from that of the motor. */
+    static double distance(double vx, double vy, double ux, double uy) {
+        return speed(ux - vx, uy - vy);
+    }
+
+    /**
+     * The share k of the motor's velocity in v', so that the motor changes v' by at most its reach. It is exactly 1 within
+     * reach. The smallest normal number prevents 0/0 for a unit without a motor.
+     */
+    static double share(double distance, double gain, double force) {
+        double reach = gain * force;
+        return reach / Math.max(Math.max(distance, reach), Double.MIN_NORMAL);
+    }
+
+    /** v' with the motor, on one axis: exactly u if k is 1, exactly v' if k is 0. */
+    static double blend(double v, double u, double k) {
+        return (1 - k) * v + k * u;
     }
 
     /** The speed cap: the factor min(1, cap/|v'|), which is exactly 1 up to the cap. */
@@ -105,13 +128,25 @@ final class Kernel {
 
     /** Sets the velocity of a row to any finite one: it is capped, and components below REST become 0. */
     static void accept(Table t, int i, double vx, double vy) {
-        double most = Math.max(Math.abs(vx), Math.abs(vy));
-        double scale = most > FASTEST ? FASTEST / most : 1; // so that squares do not overflow
+        double scale = scale(vx, vy);
         vx *= scale;
         vy *= scale;
         double left = left(vx, vy, t.cap[i]);
         t.vx[i] = zeroBelowRest(vx * left);
         t.vy[i] = zeroBelowRest(vy * left);
+    }
+
+    /** Sets the velocity of a row's motor to any finite one: components below REST become 0. */
+    static void order(Table t, int i, double vx, double vy) {
+        double scale = scale(vx, vy);
+        t.motorVx[i] = zeroBelowRest(vx * scale);
+        t.motorVy[i] = zeroBelowRest(vy * scale);
+    }
+
+    /** The factor that limits the components of a velocity to FASTEST, so that their squares do not overflow. */
+    private static double scale(double vx, double vy) {
+        double most = Math.max(Math.abs(vx), Math.abs(vy));
+        return most > FASTEST ? FASTEST / most : 1;
     }
 
     static double zeroBelowRest(double v) {

@@ -102,7 +102,9 @@ final class SnapshotFormat {
             check(t, i);
             Kernel.setMaxSpeed(t, i, t.maxSpeed[i]);
         }
-        for (boolean[] flags : new boolean[][] {t.pushed, t.pending, t.waiting, t.still}) Arrays.fill(flags, true);
+        for (boolean[] flags : new boolean[][] {t.pushed, t.pending, t.waiting, t.motored, t.still}) {
+            Arrays.fill(flags, true);
+        }
     }
 
     private static void checkIds(long[] ids, long lastId) {
@@ -135,9 +137,11 @@ final class SnapshotFormat {
             notBelowRest("vx of a frozen unit", t.vx[i]);
             notBelowRest("vy of a frozen unit", t.vy[i]);
         }
-        zero("motorVx", t.motorVx[i]);
-        zero("motorVy", t.motorVy[i]);
-        zero("motorForce", t.motorForce[i]);
+        velocity("motorVx", t.motorVx[i], Kernel.FASTEST);
+        velocity("motorVy", t.motorVy[i], Kernel.FASTEST);
+        notBelowRest("motorVx", t.motorVx[i]);
+        notBelowRest("motorVy", t.motorVy[i]);
+        Check.motorForce("motorForce", t.motorForce[i]);
         held("fx", t.fx[i]);
         held("fy", t.fy[i]);
         held("waitingX", t.waitingX[i]);
@@ -156,10 +160,6 @@ final class SnapshotFormat {
     private static void notBelowRest(String name, double v) {
         if (v != Kernel.zeroBelowRest(v))
             throw Check.refused(name, "0 or at least " + Kernel.REST + " in magnitude", v);
-    }
-
-    private static void zero(String name, double value) {
-        if (value != 0) throw Check.refused(name, "0", value);
     }
 
     private static void held(String name, double value) {

@@ -42,7 +42,8 @@ final class State {
     }
 
     private static long hash(long h, Table t, int k) {
-        boolean still = t.still[k], pushed = t.pushed[k], pending = t.pending[k], waiting = t.waiting[k];
+        boolean still = t.still[k], motored = t.motored[k];
+        boolean pushed = t.pushed[k], pending = t.pending[k], waiting = t.waiting[k];
         for (int i = Table.start(k), end = t.end(k); i < end; i++) {
             long row = t.id[i] * 3 + mix(t.x[i]) * 5 + mix(t.y[i]) * 7 + mix(t.vx[i]) * 11 + mix(t.vy[i]) * 13;
             row += mix(t.mass[i]) * 17 + mix(t.friction[i]) * 19 + mix(t.maxSpeed[i]) * 23;
@@ -50,6 +51,7 @@ final class State {
             if (still) row += mix(t.frozen[i]) * 37;
             if (pushed) row += mix(t.fx[i]) * 41 + mix(t.fy[i]) * 43;
             if (pending) row += mix(t.pendingX[i]) * 47 + mix(t.pendingY[i]) * 53;
+            if (motored) row += mix(t.motorVx[i]) * 67 + mix(t.motorVy[i]) * 71 + mix(t.motorForce[i]) * 73;
             if (waiting) row += mix(t.waitingX[i]) * 59 + mix(t.waitingY[i]) * 61;
             h = Clock.mix(h, row);
         }

@@ -94,6 +94,8 @@ final class Table {
 
     /** Tiles in which rows may have a force for the next step, a pending impulse, a waiting force, a frame's force. */
     boolean[] pushed, pending, waiting, framed;
+    /** Tiles in which rows may have a motor's velocity or force. */
+    boolean[] motored;
     /** Tiles in which rows may be frozen or have a top speed of 0. */
     boolean[] still;
     /** Tiles in which nothing moves, or moved in the last step: a step without forces would not change them. */
@@ -115,6 +117,7 @@ final class Table {
         pending = new boolean[tiles];
         waiting = new boolean[tiles];
         framed = new boolean[tiles];
+        motored = new boolean[tiles];
         still = new boolean[tiles];
         asleep = new boolean[tiles];
         stale = new boolean[tiles];
@@ -215,6 +218,7 @@ final class Table {
         pending = Arrays.copyOf(pending, tiles);
         waiting = Arrays.copyOf(waiting, tiles);
         framed = Arrays.copyOf(framed, tiles);
+        motored = Arrays.copyOf(motored, tiles);
         still = Arrays.copyOf(still, tiles);
         asleep = Arrays.copyOf(asleep, tiles);
         boolean[] stales = Arrays.copyOf(stale, tiles);
@@ -234,7 +238,13 @@ final class Table {
         if (pendingX[i] != 0 || pendingY[i] != 0) to.pending[tile] = true;
         if (waitingX[i] != 0 || waitingY[i] != 0) to.waiting[tile] = true;
         if (frameX[i] != 0 || frameY[i] != 0) to.framed[tile] = true;
+        if (hasMotor(i)) to.motored[tile] = true;
         if (frozen[i] != 0 || maxSpeed[i] == 0) to.still[tile] = true;
+    }
+
+    /** Whether a row has a motor's velocity or force. */
+    boolean hasMotor(int i) {
+        return motorForce[i] != 0 || motorVx[i] != 0 || motorVy[i] != 0;
     }
 
     /** Discards the forces on a row that have not acted, or not yet in every step of a frame. */
@@ -291,6 +301,7 @@ final class Table {
         System.arraycopy(other.pushed, 0, pushed, 0, tiles);
         System.arraycopy(other.pending, 0, pending, 0, tiles);
         System.arraycopy(other.waiting, 0, waiting, 0, tiles);
+        System.arraycopy(other.motored, 0, motored, 0, tiles);
         System.arraycopy(other.still, 0, still, 0, tiles);
         System.arraycopy(other.asleep, 0, asleep, 0, tiles);
         Arrays.fill(stale, true);

@@ -111,6 +111,21 @@ public class Unit {
         return table.maxSpeed[row];
     }
 
+    /** {@return the velocity along x that the motor tries to reach, in m/s; see {@link #setMotor}} */
+    public final double getMotorVx() {
+        return table.motorVx[row];
+    }
+
+    /** {@return the velocity along y that the motor tries to reach, in m/s; see {@link #setMotor}} */
+    public final double getMotorVy() {
+        return table.motorVy[row];
+    }
+
+    /** {@return the greatest force of the motor, in N; 0 if it is off} */
+    public final double getMotorForce() {
+        return table.motorForce[row];
+    }
+
     /** {@return whether the unit is frozen; see {@link #setFrozen}} */
     public final boolean isFrozen() {
         return table.frozen[row] != 0;
@@ -118,7 +133,7 @@ public class Unit {
 
     /**
      * {@return the id that its world gave this unit when it was added} The first unit of a world gets 1, the next one 2; no
-     * id is given twice. A removed unit keeps its id until it is added again. Before, it is 0.
+     * id is given twice, except after a restore to an earlier state. A removed unit keeps its id until it is added again. Before, it is 0.
      *
      * @see World#find
      */
@@ -142,8 +157,9 @@ public class Unit {
     }
 
     /**
-     * {@return the x coordinate to draw at, in m} It lies between the positions before and after the world's last fixed
-     * step, at the fraction {@link World#getAlpha()}. Where there is nothing to interpolate, it is {@link #getX()}.
+     * {@return the x coordinate to draw at, in m} It lies between the positions before and after the last step of {@code
+     * World.advance} with fixed steps, at the fraction {@link World#getAlpha()}. Otherwise, such as after {@code World.step()}
+     * and with variable steps, it is {@link #getX()}.
      */
     public final double getInterpolatedX() {
         World world = getWorld();
@@ -286,7 +302,8 @@ public class Unit {
 
     /**
      * Freezes the unit, such as a tank in a transport, or releases it. A frozen unit keeps its id, index, position and
-     * velocity, but does not move. Forces and impulses have no effect on it, neither now nor after its release.
+     * velocity, but does not move. Impulses have no effect on it. Forces do not move it either, and are discarded when it is
+     * released.
      *
      * @param frozen whether it is frozen
      * @return this unit
@@ -303,8 +320,8 @@ public class Unit {
 
     /**
      * Adds a force. It acts for the time by which the unit is advanced next: the dt of {@link #integrate(double)} or
-     * {@code World.step(dt)}, or the elapsed time of {@code World.advance}. In a {@link StepListener} it acts for exactly
-     * one step: the one that is about to run, or after a step the next one. Forces add up until then.
+     * {@code World.step(dt)}, or the elapsed time of {@code World.advance}. In a {@link StepListener} of its world it acts
+     * for exactly one step: the one that is about to run, or after a step the next one. Forces add up until then.
      *
      * @param fx in N, at most 1e50 in magnitude
      * @param fy in N, at most 1e50 in magnitude
@@ -321,6 +338,48 @@ public class Unit {
     }
 
     /**
+     * Sets the motor: in every step, it changes the velocity towards the ordered one by a force of at most maxForce. It stays
+     * on until it is set again, so that a game can set it once per order or per frame; {@link #clearForces} leaves it on, and
+     * a unit keeps it when it joins or leaves a world.
+     *
+     * <pre>{@code
+     * tank.setMotor(10, 0, 80_000);           // drive at 10 m/s, with an engine of 80 kN
+     * tank.setMotor(0, 0, 200_000);           // brake, and stay there
+     * crate.setMotor(0, 0, 0.6 * 9.81 * m);   // dry friction on the ground, with the coefficient 0.6
+     * crate.setMotor(2, 0, 0.6 * 9.81 * m);   // the same on a conveyor of 2 m/s
+     * }</pre>
+     *
+     * <p>In a step, after forces and friction have led to v', with the {@link Integrator}'s gain(z):
+     *
+     * <pre>{@code
+     * reach = gain(z) (dt/m) maxForce
+     * v' = (1 − k) v' + k u,   k = reach / max(|u − v'|, reach)
+     * }</pre>
+     *
+     * <p>So the velocity never passes the ordered one, u. A unit reaches exactly u if maxForce exceeds the friction f·|u|;
+     * otherwise it approaches the speed maxForce/f. With u = 0 it stops exactly, and pushes below maxForce do not move it. The
+     * speed cap comes after the motor. The motor of a frozen unit has no effect.
+     *
+     * <p>It is the friction of "Y*A*R*T*S (Yet Another Real Time Strategy game)" again, which is limited so that it does not
+     * reverse a unit; here the limit is that it does not pass u.
+     *
+     * @param vx the ordered velocity u along x, in m/s; any finite number, as for {@link #setVelocity}, but not capped
+     * @param vy the ordered velocity u along y, in m/s
+     * @param maxForce the greatest force of the motor, in N, from 0 (off) to 1e50
+     * @return this unit
+     * @throws IllegalArgumentException if an argument is out of range
+     */
+    public final Unit setMotor(double vx, double vy, double maxForce) {
+        vx = Check.finite("vx", vx);
+        vy = Check.finite("vy", vy);
+        table.motorForce[row] = Check.motorForce("maxForce", maxForce);
+        Kernel.order(table, row, vx, vy);
+        table.motored[Table.tile(row)] = true;
+        wake();
+        return this;
+    }
+
+    /**
      * Changes the velocity at once by j/m, as a kick or a collision does. One above the top speed is reduced to it.
      *
      * @param jx in N·s, at most 1e50 in magnitude
@@ -333,7 +392,7 @@ public class Unit {
         if (!isFrozen()) accept(getVx() + jx / getMass(), getVy() + jy / getMass());
     }
 
-    /** Discards all forces that have not acted yet, and the pending impulse. */
+    /** Discards all forces that have not acted yet, and the pending impulse. The motor stays on. */
     public final void clearForces() {
         table.clearForces(row);
     }
@@ -349,7 +408,8 @@ public class Unit {
     }
 
     /**
-     * Steps this unit alone, and clears the forces: the same bits as {@code World.step(dt)}.
+     * Steps this unit alone, and clears the forces: the same bits as {@code World.step(dt)}. A unit in a world is drawn at the
+     * new place at once, and its pending impulse stays pending.
      *
      * @param dt in seconds, from 0 to 1e9
      * @param integrator the integrator

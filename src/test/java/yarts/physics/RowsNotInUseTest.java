@@ -17,6 +17,7 @@ class RowsNotInUseTest {
             Unit unit =
                     world.add(new Unit(random.nextDouble(1, 9))).setFriction(2).setMaxSpeed(7);
             unit.setPosition(3, 4).setVelocity(5, 6).setFrozen(random.nextInt(9) == 0);
+            if (random.nextInt(9) == 0) unit.setMotor(random.nextDouble(), -2, 3);
         }
     }
 

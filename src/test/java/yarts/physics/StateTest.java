@@ -21,7 +21,8 @@ class StateTest {
         Stream<String> working = Stream.of("cap", "decay", "gain", "lag", "frameX", "frameY");
         assertFields(Table.class, double[].class, Stream.concat(known, working));
         assertFields(Table.class, long[].class, Stream.of("id"));
-        Stream<String> flags = Stream.of("pushed", "pending", "waiting", "framed", "still", "asleep", "stale");
+        Stream<String> flags =
+                Stream.of("pushed", "pending", "waiting", "framed", "motored", "still", "asleep", "stale");
         assertFields(Table.class, boolean[].class, flags);
         Stream<String> state = Stream.of("table", "clock", "integrator", "lastId", "lastSteppedId", "interpolating");
         assertFields(State.class, null, state);

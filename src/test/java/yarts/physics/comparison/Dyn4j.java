@@ -1,7 +1,10 @@
 package yarts.physics.comparison;
 
+import org.dyn4j.dynamics.joint.FrictionJoint;
+import org.dyn4j.dynamics.joint.MotorJoint;
 import org.dyn4j.geometry.Geometry;
 import org.dyn4j.geometry.Mass;
+import org.dyn4j.geometry.MassType;
 import org.dyn4j.geometry.Vector2;
 import org.dyn4j.world.World;
 
@@ -48,7 +51,35 @@ final class Dyn4j implements Engine {
             public void stop() {
                 body.setLinearVelocity(0, 0);
             }
+
+            @Override
+            public Drive drive(double maxForce) {
+                org.dyn4j.dynamics.Body ground = ground();
+                FrictionJoint<org.dyn4j.dynamics.Body> joint = new FrictionJoint<>(body, ground, body.getWorldCenter());
+                joint.setMaximumForce(maxForce);
+                world.addJoint(joint);
+                return u -> ground.setLinearVelocity(u, 0);
+            }
+
+            @Override
+            public Drive drive(double maxForce, double correction) {
+                org.dyn4j.dynamics.Body ground = ground();
+                MotorJoint<org.dyn4j.dynamics.Body> joint = new MotorJoint<>(ground, body);
+                joint.setMaximumForce(maxForce);
+                joint.setCorrectionFactor(correction);
+                world.addJoint(joint);
+                if (correction == 0) return u -> ground.setLinearVelocity(u, 0);
+                return new MovingTarget(x(), target -> joint.setLinearTarget(new Vector2(target, 0)));
+            }
         };
+    }
+
+    /** A body of infinite mass and without a shape, which nothing stops. */
+    private org.dyn4j.dynamics.Body ground() {
+        org.dyn4j.dynamics.Body ground = new org.dyn4j.dynamics.Body();
+        ground.setMass(MassType.INFINITE);
+        world.addBody(ground);
+        return ground;
     }
 
     @Override

@@ -8,6 +8,9 @@ import com.badlogic.gdx.physics.box2d.Box2D;
 import com.badlogic.gdx.physics.box2d.CircleShape;
 import com.badlogic.gdx.physics.box2d.MassData;
 import com.badlogic.gdx.physics.box2d.World;
+import com.badlogic.gdx.physics.box2d.joints.FrictionJointDef;
+import com.badlogic.gdx.physics.box2d.joints.MotorJoint;
+import com.badlogic.gdx.physics.box2d.joints.MotorJointDef;
 import com.badlogic.gdx.utils.GdxNativesLoader;
 import com.badlogic.gdx.utils.GdxRuntimeException;
 
@@ -70,7 +73,36 @@ final class GdxBox2d implements Engine {
             public void stop() {
                 body.setLinearVelocity(0, 0);
             }
+
+            @Override
+            public Drive drive(double maxForce) {
+                com.badlogic.gdx.physics.box2d.Body ground = ground();
+                FrictionJointDef def = new FrictionJointDef();
+                def.initialize(ground, body, body.getWorldCenter());
+                def.maxForce = (float) maxForce;
+                world.createJoint(def);
+                return u -> ground.setLinearVelocity((float) u, 0);
+            }
+
+            @Override
+            public Drive drive(double maxForce, double correction) {
+                com.badlogic.gdx.physics.box2d.Body ground = ground();
+                MotorJointDef def = new MotorJointDef();
+                def.initialize(ground, body);
+                def.maxForce = (float) maxForce;
+                def.correctionFactor = (float) correction;
+                MotorJoint joint = (MotorJoint) world.createJoint(def);
+                if (correction == 0) return u -> ground.setLinearVelocity((float) u, 0);
+                return new MovingTarget(x(), target -> joint.setLinearOffset(new Vector2((float) target, 0)));
+            }
         };
+    }
+
+    /** A body without a shape, which nothing stops. */
+    private com.badlogic.gdx.physics.box2d.Body ground() {
+        BodyDef def = new BodyDef();
+        def.type = BodyDef.BodyType.KinematicBody;
+        return world.createBody(def);
     }
 
     @Override

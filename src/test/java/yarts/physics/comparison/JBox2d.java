@@ -6,6 +6,7 @@ import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.BodyDef;
 import org.jbox2d.dynamics.BodyType;
 import org.jbox2d.dynamics.World;
+import org.jbox2d.dynamics.joints.FrictionJointDef;
 
 final class JBox2d implements Engine {
     static {
@@ -51,7 +52,24 @@ final class JBox2d implements Engine {
             public void stop() {
                 body.setLinearVelocity(new Vec2());
             }
+
+            @Override
+            public Drive drive(double maxForce) {
+                org.jbox2d.dynamics.Body ground = ground();
+                FrictionJointDef def = new FrictionJointDef();
+                def.initialize(ground, body, body.getWorldCenter());
+                def.maxForce = (float) maxForce;
+                world.createJoint(def);
+                return u -> ground.setLinearVelocity(new Vec2((float) u, 0));
+            }
         };
+    }
+
+    /** A body without a shape, which nothing stops. */
+    private org.jbox2d.dynamics.Body ground() {
+        BodyDef def = new BodyDef();
+        def.type = BodyType.KINEMATIC;
+        return world.createBody(def);
     }
 
     @Override

@@ -44,6 +44,11 @@ final class Ours implements Engine {
             public void stop() {
                 unit.setVelocity(0, 0);
             }
+
+            @Override
+            public Drive drive(double maxForce) {
+                return u -> unit.setMotor(u, 0, maxForce);
+            }
         };
     }
 

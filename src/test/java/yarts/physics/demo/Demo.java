@@ -65,7 +65,8 @@ public final class Demo implements Callable<Integer> {
         Path folder = Path.of("target", "demo");
         draw(folder).report(System.out);
         System.out.printf(
-                "%nNow look at jitter.png, terminal-speed.png, skirmish.png and skirmish.gif in %s%n", folder);
+                "%nNow look at jitter.png, terminal-speed.png, motor.png, skirmish.png and skirmish.gif in %s%n",
+                folder);
         return 0;
     }
 
@@ -73,6 +74,7 @@ public final class Demo implements Callable<Integer> {
         Files.createDirectories(folder);
         Plots.jitter(folder.resolve("jitter.png"));
         Plots.terminalSpeed(folder.resolve("terminal-speed.png"));
+        Plots.motor(folder.resolve("motor.png"));
         SkirmishFilm film = new SkirmishFilm(new Skirmish(TANKS_AN_ARMY, SEED));
         int ticks = SECONDS * Skirmish.TICKS_PER_SECOND;
         try (ProgressBar bar = progress(ticks)) {

@@ -6,6 +6,7 @@ import java.awt.Font;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.DoubleUnaryOperator;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.knowm.xchart.AnnotationLine;
@@ -18,6 +19,8 @@ import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
+import yarts.physics.Integrator;
+import yarts.physics.Unit;
 
 /** Draws what the rules do: over time, and at any tick rate. */
 public final class Plots {
@@ -32,6 +35,7 @@ public final class Plots {
 
     private static final double MASS = 1; // kg
     private static final double FRICTION = 10; // N·s/m
+    private static final double DRY = 10; // N
     private static final double SPEED = 10; // m/s, to start with or to end with
     private static final double OFF_THE_CHART = 1000; // m/s
 
@@ -61,10 +65,51 @@ public final class Plots {
     private static void overTime(
             XYChart chart, String name, Rule rule, double dt, double v, double force, Color colour, Marker marker) {
         int steps = (int) (2 / dt);
-        double[] time = new double[steps + 1];
-        for (int i = 0; i <= steps; i++) time[i] = i * dt;
         double[] velocity = rule.velocities(v, force, FRICTION, MASS, dt, steps);
-        style(chart.addSeries(name, time, velocity), colour, marker, 2);
+        style(chart.addSeries(name, times(dt, steps), velocity), colour, marker, 2);
+    }
+
+    private static double[] times(double dt, int steps) {
+        return IntStream.rangeClosed(0, steps).mapToDouble(i -> i * dt).toArray();
+    }
+
+    /** Velocity against time under dry friction: by the naive rule, by the motor, and linear friction beside them. */
+    public static void motor(Path file) throws IOException {
+        String title = "Dry friction: the unit should stop after 1 s, and stay at rest";
+        XYChart chart = chart(1000, 600, title, "time, s   (m = 1 kg, R = 10 N, u = 0)", "velocity, m/s");
+        chart.getStyler().setLegendPosition(LegendPosition.InsideNE);
+        chart.getStyler().setXAxisMin(0.0).setXAxisMax(3.0).setYAxisMin(-3.0).setYAxisMax(10.0);
+        Unit linear = new Unit(MASS).setFriction(2);
+        slowing(chart, "linear friction: −f·v, f = 2 N·s/m", library(linear, 0.02), 0.02, GREY, SeriesMarkers.NONE);
+        naive(chart, 0.4, ORANGE, SeriesMarkers.TRIANGLE_UP);
+        naive(chart, 0.154, VERMILION, SeriesMarkers.CIRCLE);
+        braked(chart, 0.4, GREEN, SeriesMarkers.DIAMOND);
+        braked(chart, 0.154, BLUE, SeriesMarkers.SQUARE);
+        BitmapEncoder.saveBitmap(chart, file.toString(), BitmapFormat.PNG);
+    }
+
+    private static void naive(XYChart chart, double dt, Color colour, Marker marker) {
+        DoubleUnaryOperator step = v -> v - DRY * Math.signum(v) * dt / MASS;
+        slowing(chart, "naive: −R·v/|v|, steps of " + dt + " s", step, dt, colour, marker);
+    }
+
+    private static void braked(XYChart chart, double dt, Color colour, Marker marker) {
+        Unit unit = new Unit(MASS).setMotor(0, 0, DRY);
+        slowing(chart, "motor, steps of " + dt + " s", library(unit, dt), dt, colour, marker);
+    }
+
+    private static DoubleUnaryOperator library(Unit unit, double dt) {
+        return v -> {
+            unit.setVelocity(v, 0).integrate(dt, Integrator.EXACT);
+            return unit.getVx();
+        };
+    }
+
+    private static void slowing(
+            XYChart chart, String name, DoubleUnaryOperator step, double dt, Color colour, Marker marker) {
+        int steps = (int) (3 / dt);
+        double[] velocity = DoubleStream.iterate(SPEED, step).limit(steps + 1).toArray();
+        style(chart.addSeries(name, times(dt, steps), velocity), colour, marker, 2);
     }
 
     /** Terminal speed against tick rate: the library's is F/f at any. */

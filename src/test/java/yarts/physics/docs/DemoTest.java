@@ -59,8 +59,10 @@ class DemoTest {
     void thePlotsAreDrawn() throws IOException {
         Plots.jitter(folder.resolve("jitter.png"));
         Plots.terminalSpeed(folder.resolve("terminal-speed.png"));
+        Plots.motor(folder.resolve("motor.png"));
         assertDrawn(read("jitter.png"), 1240, 560, 0xD55E00, 0x0072B2, 0x56B4E9, 0x009E73);
         assertDrawn(read("terminal-speed.png"), 1000, 600, 0xD55E00, 0x0072B2, 0x009E73);
+        assertDrawn(read("motor.png"), 1000, 600, 0xD55E00, 0xE69F00, 0x0072B2, 0x009E73);
     }
 
     @Test

@@ -98,6 +98,7 @@ class FaultsPropertyTest {
         int units = random.nextInt(3) == 0 ? Tiles.TILE + 3 : random.nextInt(1, 20);
         for (int i = 0; i < units; i++) {
             world.add(new Unit(1 + i)).setFriction(random.nextInt(5)).setVelocity(i, -i);
+            if (random.nextInt(8) == 0) world.get(i).setMotor(random.nextInt(3), i, 1 + i);
         }
         push(world, random);
         world.advance(0.03);

@@ -45,15 +45,15 @@ final class Play {
         for (int i : layout.order) {
             World world = worlds.get(i % layout.worlds);
             world.add(units[i]);
-            for (int k = 0; k < layout.sleepers; k++) world.add(new Sleeper());
+            for (int k = 0; k < layout.sleepers; k++) world.add(new Sleeper(k % 3 == 1));
         }
     }
 
-    /** Nobody gives it an order. */
+    /** Nobody gives it an order. It may have a brake, which has nothing to do. */
     private static final class Sleeper extends Unit {
-        Sleeper() {
+        Sleeper(boolean braked) {
             super(3);
-            setFriction(2).setMaxSpeed(1).setPosition(5, 6);
+            setFriction(2).setMaxSpeed(1).setPosition(5, 6).setMotor(0, 0, braked ? 7 : 0);
         }
     }
 
@@ -98,7 +98,7 @@ final class Play {
         double a = number(0.01, 1000), b = number(0.01, 1000);
         if (random.nextBoolean()) a = -a;
         if (random.nextBoolean()) b = -b;
-        switch (random.nextInt(12)) {
+        switch (random.nextInt(15)) {
             case 0 -> place(unit, a, b);
             case 1 -> drive(unit, a, b);
             case 2 -> unit.applyImpulse(view.x(a, b, view.impulse()), view.y(a, b, view.impulse()));
@@ -112,6 +112,11 @@ final class Play {
                 world.remove(unit);
                 world.add(unit);
             }
+            case 9, 10 -> { // drives, or brakes
+                double k = random.nextInt(3) == 0 ? 0 : view.speed(), most = number(0.01, 1000) * view.force();
+                unit.setMotor(view.x(a, b, k), view.y(a, b, k), most);
+            }
+            case 11 -> unit.setMotor(0, 0, 0);
             default -> unit.applyForce(view.x(a, b, view.force()), view.y(a, b, view.force()));
         }
     }

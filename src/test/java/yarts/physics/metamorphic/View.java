@@ -40,6 +40,7 @@ record View(boolean swapped, int signX, int signY, double length, double mass, d
             {unit.getX(), unit.getY(), length},
             {unit.getVx(), unit.getVy(), speed()},
             {unit.getFx(), unit.getFy(), force()},
+            {unit.getMotorVx(), unit.getMotorVy(), speed()},
             {unit.getPendingImpulseX(), unit.getPendingImpulseY(), impulse()},
             {unit.getInterpolatedX(0), unit.getInterpolatedY(0), length},
             {unit.getInterpolatedX(), unit.getInterpolatedY(), length}

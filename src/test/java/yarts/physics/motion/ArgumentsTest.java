@@ -72,6 +72,7 @@ class ArgumentsTest {
 
     private static final DoublePredicate FINITE = Double::isFinite;
     private static final DoublePredicate TIME = t -> t >= 0 && t <= 1e9;
+    private static final DoublePredicate FORCE = f -> f >= 0 && f <= 1e50;
     private static final DoublePredicate PUSH = f -> Math.abs(f) <= 1e50;
     private static final DoublePredicate ALPHA = a -> a >= 0 && a <= 1;
     private static final DoublePredicate MASS = m -> m >= 1e-50 && m <= 1e50;
@@ -84,7 +85,10 @@ class ArgumentsTest {
                 new Door("setPosition", "y", "finite", FINITE, (w, u, v) -> u.setPosition(1, v)),
                 new Door("setVelocity", "vx", "finite", FINITE, (w, u, v) -> u.setVelocity(v, 1)),
                 new Door("setVelocity", "vy", "finite", FINITE, (w, u, v) -> u.setVelocity(1, v)),
-                new Door("setFriction", "friction", ">= 0", f -> f >= 0 && f <= 1e50, (w, u, v) -> u.setFriction(v)),
+                new Door("setMotor", "vx", "finite", FINITE, (w, u, v) -> u.setMotor(v, 1, 2)),
+                new Door("setMotor", "vy", "finite", FINITE, (w, u, v) -> u.setMotor(1, v, 2)),
+                new Door("setMotor", "maxForce", ">= 0", FORCE, (w, u, v) -> u.setMotor(1, 2, v)),
+                new Door("setFriction", "friction", ">= 0", FORCE, (w, u, v) -> u.setFriction(v)),
                 new Door("setMaxSpeed", "maxSpeed", ">= 0", s -> s >= 0, (w, u, v) -> u.setMaxSpeed(v)),
                 new Door("applyForce", "fx", "finite", PUSH, (w, u, v) -> u.applyForce(v, 1)),
                 new Door("applyForce", "fy", "finite", PUSH, (w, u, v) -> u.applyForce(1, v)),
@@ -143,6 +147,7 @@ class ArgumentsTest {
             for (Timestep timestep : List.of(Timestep.fixed(64), Timestep.variable(0.01))) {
                 World world = new World(integrator, timestep);
                 Unit unit = world.add(new Unit(2).setFriction(3).setMaxSpeed(50).setVelocity(4, -5));
+                unit.setMotor(-6, 7, 8);
                 unit.applyForce(1, 2);
                 world.advance(0.1);
                 unit.applyForce(6, 7);
@@ -294,7 +299,7 @@ class ArgumentsTest {
     void negativeZeroIsZero() {
         Unit unit = new Unit(1).setPosition(-0.0, -0.0).setVelocity(-0.0, -0.0).setFriction(-0.0);
         unit.applyForce(-0.0, -0.0);
-        unit.setMaxSpeed(-0.0);
+        unit.setMaxSpeed(-0.0).setMotor(-0.0, -0.0, -0.0);
         for (double v : new double[] {
             unit.getX(),
             unit.getY(),
@@ -303,7 +308,10 @@ class ArgumentsTest {
             unit.getFx(),
             unit.getFy(),
             unit.getFriction(),
-            unit.getMaxSpeed()
+            unit.getMaxSpeed(),
+            unit.getMotorVx(),
+            unit.getMotorVy(),
+            unit.getMotorForce()
         }) {
             assertEquals(0.0, v);
         }

@@ -88,8 +88,11 @@ public final class Saves {
             case "fy":
                 return unit.getFy();
             case "motorVx":
+                return unit.getMotorVx();
             case "motorVy":
+                return unit.getMotorVy();
             case "motorForce":
+                return unit.getMotorForce();
             case "waitingX":
             case "waitingY":
                 return Rows.get(unit, name);
@@ -151,7 +154,7 @@ public final class Saves {
         return world;
     }
 
-    /** A save of some units with forces held and impulses pending, some frozen, interpolated if steps are fixed. */
+    /** A save of some units with forces held and impulses pending, some with motors, some frozen, interpolated if steps are fixed. */
     public static byte[] save(int units, Timestep timestep) {
         World world = new World(Integrator.EXACT, timestep);
         for (int i = 1; i <= units; i++) {
@@ -160,6 +163,7 @@ public final class Saves {
         }
         world.step(0.3);
         for (int i = 3; i < units; i += 7) world.get(i).setFrozen(true);
+        for (int i = 1; i < units; i += 2) world.get(i).setMotor(i, -2, 3);
         for (Unit unit : world) unit.applyForce(3, (double) unit.getId());
         world.advance(0.06);
         for (Unit unit : world) unit.applyForce((double) unit.getId(), 2);

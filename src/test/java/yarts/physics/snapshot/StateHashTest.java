@@ -32,6 +32,7 @@ class StateHashTest {
                     .applyForce(i, -i);
         }
         world.advance(0.04);
+        for (int i = 0; i < UNITS; i++) world.get(i).setMotor(i - 4.5, 7, 1 + i);
         for (int i = 0; i < UNITS; i += 4) world.get(i).setFrozen(true);
         for (Unit unit : world) unit.applyForce((double) unit.getId(), 2);
         return world;
@@ -61,9 +62,8 @@ class StateHashTest {
             }
         }
         for (String name : Saves.STATE) {
-            if (name.startsWith("motor")) continue; // 0 only
             if (name.equals("frozen")) continue; // 1 is ten bits away from 0: see SnapshotFieldsTest
-            int least = name.matches("mass|v[xy]|f[xy]|waiting.|pending.") ? 54 : 60;
+            int least = name.matches("mass|v[xy]|f[xy]|waiting.|pending.|motor.+") ? 54 : 60;
             assertTrue(shown.get(name) >= UNITS * least, name + ": " + shown);
         }
         assertEquals(UNITS * (61 - 5), shown.get("id"), 2.0 * UNITS, "ids up to 2^61 that no other unit has");

@@ -204,6 +204,10 @@ public final class Churn {
             case 13:
                 unit.setFrozen(draw(3) == 0);
                 break;
+            case 14:
+                if (draw(4) == 0) drive(unit);
+                else unit.applyForce(force(), force());
+                break;
             default:
                 unit.applyForce(force(), force());
         }
@@ -241,6 +245,10 @@ public final class Churn {
                 break;
             case 7:
                 follow(world);
+                break;
+            case 8: // motors are rare, so that there are tiles without any
+                if (draw(4) == 0) for (int i = draw(32); i < world.size(); i += 32) drive(world.get(i));
+                else for (Unit unit : world) unit.setMotor(0, 0, 0);
                 break;
             default: // of each four, one or all
                 for (int i = draw(4), by = draw(2) == 0 ? 4 : 1; i < world.size(); i += by) {
@@ -300,6 +308,13 @@ public final class Churn {
             world.get(i).setPosition(positions[2 * j], drawn[2 + 2 * j]);
             world.get(i).setVelocity(velocities[2 * j], velocities[2 * j + 1]);
         }
+    }
+
+    /** Sets a motor: to drive, to brake, or off. */
+    private void drive(Unit unit) {
+        boolean brake = draw(3) == 0;
+        double vx = brake ? 0 : signed(1e-3, 1e3, Double.MAX_VALUE), vy = brake ? 0 : signed(1e-3, 1e3, 1e-155);
+        unit.setMotor(vx, vy, draw(4) == 0 ? 0 : positive(1e-3, 1e6, 0, 1e50));
     }
 
     private Unit recruit() {
@@ -397,7 +412,16 @@ public final class Churn {
     public static List<Long> kept(Unit unit) {
         List<Long> bits = new ArrayList<>(List.of(unit.getId(), unit.isFrozen() ? 1L : 0));
         for (double v : new double[] {
-            unit.getX(), unit.getY(), unit.getVx(), unit.getVy(), unit.getMass(), unit.getFriction(), unit.getMaxSpeed()
+            unit.getX(),
+            unit.getY(),
+            unit.getVx(),
+            unit.getVy(),
+            unit.getMass(),
+            unit.getFriction(),
+            unit.getMaxSpeed(),
+            unit.getMotorVx(),
+            unit.getMotorVy(),
+            unit.getMotorForce()
         }) {
             bits.add(bits(v));
         }

@@ -52,7 +52,8 @@ class AllocationTest {
     private static World crowd(Integrator integrator, Timestep timestep) {
         World world = new World(integrator, timestep);
         for (int i = 1; i <= UNITS; i++)
-            world.add(new Unit(i).setFriction(i % 7).setMaxSpeed(i % 5 == 0 ? 1 : 100));
+            world.add(new Unit(i).setFriction(i % 7).setMaxSpeed(i % 5 == 0 ? 1 : 100))
+                    .setMotor(i % 4, i % 3, i % 6);
         world.addBeforeStep((w, dt) -> w.get(0).applyForce(dt, 1));
         return world;
     }
@@ -100,6 +101,7 @@ class AllocationTest {
             unit.applyForce(10, -i);
             if (i % 10 == 0) unit.applyImpulse(-1, 1);
             if (i % 50 == 0) unit.setFriction(i % 3).setMass(1 + i % 4);
+            if (i % 20 == 0) unit.setMotor(i % 8, 1, i % 9);
             if (i % 100 == 0) unit.setPosition(i, -i).setVelocity(0, i).setMaxSpeed(i);
         }
         world.advance(elapsed);
@@ -185,11 +187,12 @@ class AllocationTest {
     @ParameterizedTest
     @EnumSource
     void aUnitAloneAllocatesNothing(Integrator integrator) {
-        Unit unit = new Unit(2).setFriction(0.1).setMaxSpeed(50);
+        Unit unit = new Unit(2).setFriction(0.1).setMaxSpeed(50).setMotor(40, 30, 20);
         assertEquals(0, fewestBytes(() -> {
             unit.applyForce(3, 4);
             unit.integrate(0.01, integrator);
             unit.integrate(0.02);
+            unit.setMotor(unit.getMotorVy(), unit.getMotorVx(), unit.getMotorForce());
             unit.clearForces();
         }));
         assertTrue(unit.getSpeed() > 1);

@@ -354,6 +354,8 @@ final class Twins {
                 () -> unit.setMaxSpeed(bad),
                 () -> unit.setPosition(1, Double.NaN),
                 () -> unit.setVelocity(Double.NaN, 1),
+                () -> unit.setMotor(1, 1, bad),
+                () -> unit.setMotor(1, Double.NaN, 1),
                 () -> unit.applyForce(1, bad),
                 () -> unit.applyImpulse(bad, 1),
                 () -> unit.integrate(bad),
@@ -524,6 +526,10 @@ final class Twins {
         if (order == 3) addNew(1 + random.nextInt(4), random.nextInt(3));
         if (order == 4) setFrozen(pick, random.nextInt(3) == 0);
         if (order == 5) clearForces(pick);
+        if (order == 6) {
+            double vx = coordinate(random), most = Math.max(0, coordinate(random));
+            change(pick, unit -> unit.setMotor(vx, unit.getMotorVx(), most));
+        }
     }
 
     private static double coordinate(SplittableRandom random) {
@@ -655,6 +661,9 @@ final class Twins {
         same("mass", a.getMass(), u.getMass());
         same("friction", a.getFriction(), u.getFriction());
         same("maxSpeed", a.getMaxSpeed(), u.getMaxSpeed());
+        same("motorVx", a.getMotorVx(), u.getMotorVx());
+        same("motorVy", a.getMotorVy(), u.getMotorVy());
+        same("motorForce", a.getMotorForce(), u.getMotorForce());
         assertEquals(a.isFrozen(), u.isFrozen());
         twin.comparePending();
         for (double alpha : ALPHAS) {

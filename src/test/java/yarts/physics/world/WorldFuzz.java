@@ -126,7 +126,11 @@ public final class WorldFuzz {
                 double jx = force(), jy = force();
                 change(unit -> unit.applyImpulse(jx, jy));
             }
-            case 22, 23 -> {
+            case 22 -> {
+                double vx = finite(), vy = finite(), most = real(0, 1e50);
+                change(unit -> unit.setMotor(vx, vy, most));
+            }
+            case 23 -> {
                 double fx = force(), fy = force();
                 change(unit -> unit.applyForce(fx, fy));
             }

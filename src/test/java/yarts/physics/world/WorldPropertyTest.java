@@ -75,6 +75,7 @@ class WorldPropertyTest {
                 .withAction(2, unit("set friction", frictions(), (u, v) -> u.setFriction(v)))
                 .withAction(2, unit("set top speed", topSpeeds(), (u, v) -> u.setMaxSpeed(v)))
                 .withAction(3, unit("set velocity", vectors(velocities()), (u, v) -> u.setVelocity(v.get1(), v.get2())))
+                .withAction(2, unit("motor", motors(), (u, v) -> u.setMotor(v.get1(), v.get2(), v.get3())))
                 .withAction(3, unit("impulse", vectors(forces()), (u, v) -> u.applyImpulse(v.get1(), v.get2())))
                 .withAction(6, unit("force", vectors(forces()), (u, v) -> u.applyForce(v.get1(), v.get2())))
                 .withAction(2, (Action.Independent<Twins>) () -> Combinators.combine(pick, velocities(), velocities())
@@ -131,6 +132,13 @@ class WorldPropertyTest {
 
     private static Arbitrary<Tuple.Tuple2<Double, Double>> vectors(Arbitrary<Double> components) {
         return Combinators.combine(components, components).as(Tuple::of);
+    }
+
+    /** To drive, to brake, or off. */
+    private static Arbitrary<Tuple.Tuple3<Double, Double, Double>> motors() {
+        Arbitrary<Double> zero = Arbitraries.just(0.0), velocity = mostly(velocities(), zero);
+        Arbitrary<Double> force = mostly(Doubles.logUniform(1e-3, 1e6), mostly(Doubles.logUniform(0, 1e50), zero));
+        return Combinators.combine(velocity, velocity, force).as(Tuple::of);
     }
 
     private static Arbitrary<Double> masses() {

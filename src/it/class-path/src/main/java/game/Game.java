@@ -19,8 +19,10 @@ public final class Game {
         for (double rate : rates) race(rate);
         alone();
         brake();
+        Convoy.drive(15, 144);
         System.out.println("class-path: the game and one jar; tanks drove as the closed form says at " + rates.length
-                + " frame rates and alone, kept to their top speed, and braked without turning round");
+                + " frame rates and alone, kept to their top speed, and braked without turning round; by motors, they reached"
+                + " exactly the ordered velocity and rest, with the same bits at 15 and 144 frames/s");
     }
 
     /** Ten seconds of full throttle, once a frame. The strongest engines reach the top speed. */
@@ -79,11 +81,11 @@ public final class Game {
         near(10, unit.getVx());
     }
 
-    private static void near(double expected, double actual) {
+    static void near(double expected, double actual) {
         require(Math.abs(actual - expected) <= 1e-9 * Math.abs(expected), "expected " + expected + ", was " + actual);
     }
 
-    private static void require(boolean holds, String claim) {
+    static void require(boolean holds, String claim) {
         if (!holds) throw new IllegalStateException(claim);
     }
 }

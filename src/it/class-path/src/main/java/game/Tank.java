@@ -4,6 +4,8 @@ import yarts.physics.Unit;
 
 /** What a game makes of a unit: it knows its engine, and how to drive. */
 final class Tank extends Unit {
+    static final double BRAKES = 200_000; // N
+
     private final double engine; // N
 
     Tank(double engine) {
@@ -16,7 +18,16 @@ final class Tank extends Unit {
         return engine;
     }
 
+    /** Full throttle. */
     void drive() {
         applyForce(engine, 0);
+    }
+
+    void go(double vx, double vy) {
+        setMotor(vx, vy, engine);
+    }
+
+    void brake() {
+        setMotor(0, 0, BRAKES);
     }
 }

@@ -18,11 +18,12 @@ public class Battle extends ApplicationAdapter {
 
     // tag::render[]
     private final World world = new World(); // EXACT, 60 steps per second
-    private final Unit tank = world.add(new Unit(40_000).setFriction(8_000).setMaxSpeed(15)); // kg, N·s/m, m/s
+    private final Unit tank = world.add(new Unit(40_000)); // kg
 
     @Override
     public void render() {
-        if (Gdx.input.isKeyPressed(Input.Keys.RIGHT)) tank.applyForce(80_000, 0); // N: tends to F/f = 10 m/s
+        double speed = Gdx.input.isKeyPressed(Input.Keys.RIGHT) ? 10 : 0; // m/s
+        tank.setMotor(speed, 0, 80_000); // drives at this speed, or brakes, with an engine of 80 kN
         world.advance(Gdx.graphics.getDeltaTime()); // whatever the frame rate, 60 steps a second
         draw((float) tank.getInterpolatedX(), (float) tank.getInterpolatedY());
     }
