@@ -190,7 +190,7 @@ class CookbookPropertyTest {
             ux = u * dx / left;
             uy = u * dy / left;
         }
-        boolean brakes = brakes(tank, ux, uy) || ux == 0 && uy == 0;
+        boolean brakes = brakes(tank, ux, uy) || (ux == 0 && uy == 0);
         double friction = tank.getFriction() * Math.max(tank.getSpeed(), Math.sqrt(ux * ux + uy * uy));
         tank.setMotor(ux, uy, tank.getMass() * (brakes ? b : a) + friction);
     }
@@ -224,7 +224,7 @@ class CookbookPropertyTest {
         Assume.that(Math.abs(stopping - trip.distance()) > 1e-8);
         int passes = trip.passes(trip.tank(speed, trip.bearing()));
         if (stopping < trip.distance()) assertEquals(0, passes);
-        else assertTrue(passes == 1 || passes == 0 && trip.slowing() > 0, passes + " times");
+        else assertTrue(passes == 1 || (passes == 0 && trip.slowing() > 0), passes + " times");
     }
 
     @Property

@@ -286,11 +286,11 @@ class MotorTest {
         unit.setMotor(5, -6, 7);
         assertTrue(hashes.add(world.stateHash()));
         Snapshot on = world.save();
-        assertEquals(
-                "unit 1 motorVx: 0x0.0p0 (0.0) | 0x1.4p2 (5.0)\n"
-                        + "unit 1 motorVy: 0x0.0p0 (0.0) | -0x1.8p2 (-6.0)\n"
-                        + "unit 1 motorForce: 0x0.0p0 (0.0) | 0x1.cp2 (7.0)\n",
-                off.difference(on));
+        assertEquals("""
+                unit 1 motorVx: 0x0.0p0 (0.0) | 0x1.4p2 (5.0)
+                unit 1 motorVy: 0x0.0p0 (0.0) | -0x1.8p2 (-6.0)
+                unit 1 motorForce: 0x0.0p0 (0.0) | 0x1.cp2 (7.0)
+                """, off.difference(on));
         for (double[] motor : new double[][] {{5, -6, 0}, {5, 0, 7}, {0, -6, 7}, {5, 0, 0}, {0, -6, 0}, {0, 0, 7}}) {
             unit.setMotor(motor[0], motor[1], motor[2]);
             assertTrue(hashes.add(world.stateHash()), () -> Arrays.toString(motor));
@@ -424,7 +424,7 @@ class MotorTest {
                 several.add(unit(i));
             }
             several.setPool(pool);
-            for (int i = 0; i < 6 || i < 1000 && pool.getStealCount() == 0; i++) {
+            for (int i = 0; i < 6 || (i < 1000 && pool.getStealCount() == 0); i++) {
                 for (World world : List.of(one, several)) {
                     for (int k = i; k < world.size(); k += 11) world.get(k).setMotor(i - k % 7, 1, k % 90);
                     world.advance(0.03);
