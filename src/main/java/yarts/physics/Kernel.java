@@ -48,7 +48,7 @@ final class Kernel {
         double vx = t.vx[i], vy = t.vy[i], decay = t.decay[i], gain = t.gain[i], lag = t.lag[i];
         double nextX = velocity(decay, vx, gain, t.fx[i]);
         double nextY = velocity(decay, vy, gain, t.fy[i]);
-        double k = share(distance(nextX, nextY, t.motorVx[i], t.motorVy[i]), gain, t.motorForce[i]);
+        double k = share(nextX, nextY, t.motorVx[i], t.motorVy[i], reach(gain, t.motorForce[i]));
         nextX = blend(nextX, t.motorVx[i], k);
         nextY = blend(nextY, t.motorVy[i], k);
         double left = left(nextX, nextY, t.cap[i]);
@@ -68,18 +68,17 @@ final class Kernel {
         return decay * v + gain * force;
     }
 
-    /** |u − v'|, the distance of the velocity from that of the motor. */
-    static double distance(double vx, double vy, double ux, double uy) {
-        return speed(ux - vx, uy - vy);
+    /** The greatest change of the velocity by the motor. */
+    static double reach(double gain, double force) {
+        return gain * force;
     }
 
     /**
      * The share k of the motor's velocity in v', so that the motor changes v' by at most its reach. It is exactly 1 within
-     * reach. The smallest normal number prevents 0/0 for a unit without a motor.
+     * reach. The smallest normal number, which no reach of REST or more notices, prevents 0/0 for a unit without a motor.
      */
-    static double share(double distance, double gain, double force) {
-        double reach = gain * force;
-        return reach / Math.max(Math.max(distance, reach), Double.MIN_NORMAL);
+    static double share(double vx, double vy, double ux, double uy, double reach) {
+        return reach / (Math.max(speed(ux - vx, uy - vy), reach) + Double.MIN_NORMAL);
     }
 
     /** v' with the motor, on one axis: exactly u if k is 1, exactly v' if k is 0. */

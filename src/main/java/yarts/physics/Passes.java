@@ -29,14 +29,12 @@ final class Passes {
         (t, dt, start, end) -> move(t.y, t.previousY, dt, t.lag, t.vy, t.fy, start, end)
     };
 
-    /** The same with the motor. Its share is kept in the column of the previous position until the last passes. */
+    /** The same with the motor. Its reach is kept in the column of the previous position until the last passes. */
     private static final Pass[] MOTORED = {
         PUSHED[0],
         PUSHED[1],
-        (t, dt, start, end) -> distance(t.fx, t.fy, t.motorVx, t.motorVy, t.previousX, start, end),
-        (t, dt, start, end) -> share(t.previousX, t.gain, t.motorForce, start, end),
-        (t, dt, start, end) -> blend(t.fx, t.motorVx, t.previousX, start, end),
-        (t, dt, start, end) -> blend(t.fy, t.motorVy, t.previousX, start, end),
+        (t, dt, start, end) -> reach(t.gain, t.motorForce, t.previousX, start, end),
+        (t, dt, start, end) -> motor(t.fx, t.fy, t.motorVx, t.motorVy, t.previousX, start, end),
         PUSHED[2],
         PUSHED[3],
         PUSHED[4]
@@ -50,26 +48,26 @@ final class Passes {
 
     /** A step of a tile's rows by the fewest passes that give the same bits as all of them. */
     static void step(Table t, double dt, int tile) {
-        Pass[] passes = t.motored[tile] ? MOTORED : t.pushed[tile] ? PUSHED : COASTING;
         int start = Table.start(tile), end = t.lanes(tile);
-        for (Pass pass : passes) pass.run(t, dt, start, end);
+        if (t.motored[tile]) for (Pass pass : MOTORED) pass.run(t, dt, start, end);
+        else if (t.pushed[tile]) for (Pass pass : PUSHED) pass.run(t, dt, start, end);
+        else for (Pass pass : COASTING) pass.run(t, dt, start, end);
     }
 
     private static void push(double[] v, double[] decay, double[] gain, double[] force, int start, int end) {
         for (int i = start; i < end; i++) force[i] = Kernel.velocity(decay[i], v[i], gain[i], force[i]);
     }
 
-    private static void distance(
-            double[] vx, double[] vy, double[] ux, double[] uy, double[] distance, int start, int end) {
-        for (int i = start; i < end; i++) distance[i] = Kernel.distance(vx[i], vy[i], ux[i], uy[i]);
+    private static void reach(double[] gain, double[] force, double[] reach, int start, int end) {
+        for (int i = start; i < end; i++) reach[i] = Kernel.reach(gain[i], force[i]);
     }
 
-    private static void share(double[] distance, double[] gain, double[] force, int start, int end) {
-        for (int i = start; i < end; i++) distance[i] = Kernel.share(distance[i], gain[i], force[i]);
-    }
-
-    private static void blend(double[] v, double[] u, double[] share, int start, int end) {
-        for (int i = start; i < end; i++) v[i] = Kernel.blend(v[i], u[i], share[i]);
+    private static void motor(double[] vx, double[] vy, double[] ux, double[] uy, double[] reach, int start, int end) {
+        for (int i = start; i < end; i++) {
+            double k = Kernel.share(vx[i], vy[i], ux[i], uy[i], reach[i]);
+            vx[i] = Kernel.blend(vx[i], ux[i], k);
+            vy[i] = Kernel.blend(vy[i], uy[i], k);
+        }
     }
 
     private static void cap(double[] vx, double[] vy, double[] cap, int start, int end) {
