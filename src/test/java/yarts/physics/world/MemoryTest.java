@@ -30,7 +30,7 @@ class MemoryTest {
         threads.setThreadAllocatedMemoryEnabled(true);
     }
 
-    /** The fewest bytes of some calls. What is allocated is at least what is retained. */
+    /** The fewest bytes that one of several calls allocates. A call retains at most the bytes that it allocates. */
     private static long fewestBytes(Runnable work) {
         long id = Thread.currentThread().getId();
         long fewest = Long.MAX_VALUE;

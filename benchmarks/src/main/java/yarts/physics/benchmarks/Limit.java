@@ -15,8 +15,8 @@ import yarts.physics.World;
  * Seven numbers for each size of world, in ns per unit, to compare with those of plain loops in C: a step alone
  * ("cached"), a step with another dt than the one before ("computed"), a force on one unit in a thousand and a step
  * ("sparse"), a force on every unit through its handle ("force"), that and a step ("both"), the same with one call for all
- * forces ("bulk"), and a step of a world at rest ("rest"). A C program that does all of a step's work (lag, rest, an exact
- * cap, previous positions) is to be compared with "both". Medians of nine rounds, each of about eight million units. No
+ * forces ("bulk"), and a step of a world at rest ("rest"). Compare "both" with a C program that does all of a step's work
+ * (lag, rest, an exact cap, previous positions). Medians of nine rounds, each of about eight million units. No
  * JMH: it prints within seconds, so that it and the other program can take turns.
  */
 final class Limit {
