@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 /**
  * Decay, gain and lag, against the formulas of {@link Integrator} in 60 digits, as functions of z: where mass and
  * dt are 1, and so z is the friction, without a rounding error of its own. The worst found in a million points is printed
- * by the long test; none may be worse than what docs/quality.md says.
+ * by the long test; none may be worse than what docs/maintainers/quality.md says.
  */
 class CoefficientsAccuracyTest {
     private static final String[] NAMES = {"decay", "gain", "lag"};

@@ -96,7 +96,7 @@ class DocsTest {
 
     @Test
     void everyRowOfTheSourceMapNamesCodeAndTestsThatExist() throws Exception {
-        List<String> rows = Files.readAllLines(Path.of("docs/source.md")).stream()
+        List<String> rows = Files.readAllLines(Path.of("docs/maintainers/source.md")).stream()
                 .filter(line -> line.startsWith("| "))
                 .skip(1)
                 .collect(Collectors.toList());
@@ -114,7 +114,7 @@ class DocsTest {
     /** Of what the page on quality names, and of the tests and profiles that any page has in its commands. */
     @Test
     void everyTestAndProfileThatIsNamedExists() throws Exception {
-        for (String name : find(NAME, Files.readString(Path.of("docs/quality.md")))) assertTrue(isCode(name), name);
+        for (String name : find(NAME, Files.readString(Path.of("docs/maintainers/quality.md")))) assertTrue(isCode(name), name);
         int commands = 0;
         for (Path page : pages()) {
             for (String command : find(Pattern.compile("(mvn[^`\n]* -Dtest=[\\w,]+)"), Files.readString(page))) {
@@ -154,7 +154,7 @@ class DocsTest {
     }
 
     static List<Path> pages() throws IOException {
-        try (Stream<Path> docs = Files.list(Path.of("docs"))) {
+        try (Stream<Path> docs = Files.walk(Path.of("docs"))) {
             return Stream.concat(
                             Stream.of(Path.of("README.md")),
                             docs.filter(p -> p.toString().endsWith(".md")))

@@ -46,7 +46,7 @@ final class Edit extends AbstractVisitor {
         if (to.isAbsolute() || to.getPath().isEmpty()) return;
         URI file = URI.create(page.file()).resolve(to);
         String path = file.getPath();
-        if (path.matches("README\\.md|docs/[^/]*\\.md")) link.setDestination(page.root() + Page.html(file.toString()));
+        if (path.matches("README\\.md|docs/.*\\.md")) link.setDestination(page.root() + Page.html(file.toString()));
         else if (Files.isDirectory(repository.resolve(path))) link.setDestination(REPOSITORY + "tree/main/" + file);
         else if (!path.startsWith("docs/images/")) link.setDestination(REPOSITORY + "blob/main/" + file);
     }

@@ -28,7 +28,7 @@ record Page(String file, Node content) {
 
     /** {@return the way from it to the root of the site} */
     String root() {
-        return file.contains("/") ? "../" : "";
+        return "../".repeat(file.split("/").length - 1);
     }
 
     /** {@return its first heading} */

@@ -16,7 +16,7 @@ import org.commonmark.parser.Parser;
 import org.commonmark.renderer.html.HtmlRenderer;
 
 /**
- * Writes the site: a page from README.md and from each docs/*.md, in the folders that they have in the repository, so
+ * Writes the site: a page from README.md and from each Markdown file in docs, in the folders that they have in the repository, so
  * that links and pictures are where the text looks for them.
  *
  * <pre>{@code java -cp … yarts.physics.site.Site <repository> <site>}</pre>
@@ -24,8 +24,8 @@ import org.commonmark.renderer.html.HtmlRenderer;
 public final class Site {
     /** The order of the pages in the navigation. Others come last. */
     private static final List<String> ORDER = List.of(
-            "README guide cookbook engines physics jitters comparison limits lockstep snapshots benchmarks quality source"
-                    .concat(" contributing releasing changelog")
+            "README getting-started guide cookbook two-hundred-tanks troubleshooting engines adopting lockstep snapshots"
+                    .concat(" limits physics jitters comparison benchmarks changelog contributing quality source releasing")
                     .split(" "));
 
     private static final List<Extension> EXTENSIONS =
@@ -41,8 +41,8 @@ public final class Site {
         this.repository = repository;
         this.site = site;
         List<String> files = new ArrayList<>(List.of("README.md"));
-        try (Stream<Path> docs = Files.list(repository.resolve("docs"))) {
-            docs.map(doc -> "docs/" + doc.getFileName())
+        try (Stream<Path> docs = Files.walk(repository.resolve("docs"))) {
+            docs.map(doc -> repository.relativize(doc).toString().replace('\\', '/'))
                     .filter(file -> file.endsWith(".md"))
                     .forEach(files::add);
         }

@@ -87,10 +87,10 @@ class LinksTest {
     @Test
     void everyDocumentIsInTheNavigationOfEachOther() throws IOException {
         List<Path> documents = new ArrayList<>(List.of(SITE.resolve("index.html")));
-        try (Stream<Path> files = Files.list(REPOSITORY.resolve("docs"))) {
-            files.map(file -> file.getFileName().toString())
+        try (Stream<Path> files = Files.walk(REPOSITORY.resolve("docs"))) {
+            files.map(file -> REPOSITORY.relativize(file).toString())
                     .filter(name -> name.endsWith(".md"))
-                    .forEach(name -> documents.add(SITE.resolve("docs").resolve(Page.html(name))));
+                    .forEach(name -> documents.add(SITE.resolve(Page.html(name))));
         }
         for (Path page : documents) {
             List<Path> links = PAGES.get(page).select("nav a").eachAttr("href").stream()
