@@ -3,6 +3,7 @@ package yarts.physics.benchmarks;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import org.openjdk.jmh.profile.GCProfiler;
 import org.openjdk.jmh.results.format.ResultFormatType;
@@ -93,6 +94,6 @@ public final class Main {
         Path json = Path.of(name + ".json");
         Files.writeString(json, Files.readString(json).replaceAll(FOLDER_OF_JVM, "$1"));
         Files.writeString(Path.of(name + ".txt"), Machine.describe());
-        System.out.println(Report.tables(new Results(json)));
+        System.out.println(Report.tables(List.of(new Results(json))));
     }
 }

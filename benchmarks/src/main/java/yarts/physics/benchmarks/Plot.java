@@ -15,11 +15,13 @@ import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
+import yarts.physics.Integrator;
 
 /** Draws the time per unit against the number of units: the library's and its peers'. */
 final class Plot {
     /** Okabe and Ito's colours, which the colour-blind tell apart too: one for each line of the contest, in order. */
     private static final List<Color> COLOURS = List.of(
+            new Color(0x0072B2),
             new Color(0x0072B2),
             new Color(0x0072B2),
             new Color(0x0072B2),
@@ -33,6 +35,7 @@ final class Plot {
 
     private static final List<Marker> MARKERS = List.of(
             SeriesMarkers.SQUARE,
+            SeriesMarkers.TRIANGLE_UP,
             SeriesMarkers.DIAMOND,
             SeriesMarkers.CROSS,
             SeriesMarkers.CIRCLE,
@@ -77,7 +80,7 @@ final class Plot {
             double[] units = IntStream.of(sizes).asDoubleStream().toArray();
             XYSeries series = chart.addSeries(line.label(), units, ns);
             series.setMarkerColor(COLOURS.get(k)).setMarker(MARKERS.get(k)).setLineColor(COLOURS.get(k));
-            series.setLineStyle(new BasicStroke(k < 3 ? 4 : 2));
+            series.setLineStyle(new BasicStroke(k < Integrator.values().length ? 4 : 2));
         }
         BitmapEncoder.saveBitmap(chart, file.toString(), BitmapFormat.PNG);
     }

@@ -110,6 +110,11 @@ final class Results {
         return file.getFileName().toString().replaceFirst("\\.json$", "");
     }
 
+    /** {@return the JDK that the name ends with: "JDK 17"} */
+    String jdk() {
+        return "JDK " + name().replaceFirst(".*-jdk", "");
+    }
+
     /** What the benchmarks ran on. */
     String machine() throws IOException {
         return Files.readString(file.resolveSibling(name() + ".txt"));
