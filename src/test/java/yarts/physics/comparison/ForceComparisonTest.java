@@ -60,7 +60,7 @@ class ForceComparisonTest {
                 new Way(ofTheFrame, "dyn4j's `updatev(elapsed)`", Dyn4j::new, Loop::dyn4jUpdatev),
                 new Way(ofTheFrame, "JBox2D", JBox2d::new, Loop::stepOfTheFrame),
                 new Way(ofTheFrame, "gdx-box2d", GdxBox2d::new, Loop::stepOfTheFrame),
-                new Way("`World.advance(elapsed)`", "ours", () -> new Ours(Integrator.EXACT), Loop::advance));
+                new Way("`World.advance(elapsed)`", "this library", () -> new Ours(Integrator.EXACT), Loop::advance));
     }
 
     @Test
@@ -86,7 +86,7 @@ class ForceComparisonTest {
         }
         Map<String, List<String>> rows = new LinkedHashMap<>();
         whoByHow.forEach((row, who) -> rows.put(row.get(0) + " (" + who + ")", row.subList(1, row.size())));
-        List<String> head = new ArrayList<>(List.of("frames a second:"));
+        List<String> head = new ArrayList<>(List.of("frames per second:"));
         IntStream.of(FRAME_RATES).mapToObj(String::valueOf).forEach(head::add);
         Page.check(name, head, rows);
     }

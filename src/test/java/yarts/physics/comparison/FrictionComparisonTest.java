@@ -96,7 +96,7 @@ class FrictionComparisonTest {
             flips |= before * last < 0;
         }
         double size = Math.abs(last);
-        String fate = size > 1.001 ? "grows" : size > 0.999 ? "goes on for ever" : first == 0 ? "stops" : "slows";
+        String fate = size > 1.001 ? "grows" : size > 0.999 ? "never slows" : first == 0 ? "stops" : "slows";
         String words = !flips ? fate : fate.equals("slows") ? "flips" : "flips, " + fate;
         return words + ": " + Page.number(first);
     }
@@ -121,12 +121,11 @@ class FrictionComparisonTest {
         }
         if (!(Math.abs(last) < 1e6)) return "grows";
         if (Math.abs(last - before) > 1e-3) {
-            return "swings for ever, " + Page.number(Math.min(before, last)) + " to "
-                    + Page.number(Math.max(before, last));
+            return "oscillates, " + Page.number(Math.min(before, last)) + " to " + Page.number(Math.max(before, last));
         }
         if (Math.abs(last) < 1e-6) return "freezes: 0";
         if (Math.abs(last - 1) > 1e-4) return (last > 1 ? "overshoots: " : "falls short: ") + Page.number(last);
-        return top > 1.0001 ? "swings up to " + Page.number(top) + ", then 1" : "1";
+        return top > 1.0001 ? "oscillates up to " + Page.number(top) + ", then 1" : "1";
     }
 
     @Test
@@ -144,7 +143,7 @@ class FrictionComparisonTest {
             engine.step(dt);
             last = body.v();
         }
-        return Math.abs(last - before) > 1e-3 ? "swings" : Page.error(last, TERMINAL);
+        return Math.abs(last - before) > 1e-3 ? "oscillates" : Page.error(last, TERMINAL);
     }
 
     @Test
@@ -178,7 +177,7 @@ class FrictionComparisonTest {
 
     private static void perTickRate(String name, PerRate cell) {
         double[] rates = IntStream.of(TICK_RATES).asDoubleStream().toArray();
-        table(name, "ticks a second:", rates, all(), entry -> rate -> cell.measure(entry, (int) rate));
+        table(name, "ticks per second:", rates, all(), entry -> rate -> cell.measure(entry, (int) rate));
     }
 
     // The cap
@@ -186,13 +185,13 @@ class FrictionComparisonTest {
     @Test
     void capAgainstTickRate() {
         List<Entry> capped = List.of(
-                new Entry("dyn4j, as it is", Dyn4j::new),
+                new Entry("dyn4j, by default", Dyn4j::new),
                 new Entry("JBox2D", JBox2d::new),
                 GDX_BOX2D,
                 new Entry("dyn4j, `setMaximumTranslation(0.25)`", () -> new Dyn4j().withMaximumTranslation(0.25)),
                 new Entry("`setMaxSpeed(15)`", () -> new Ours(Integrator.EXACT, 15)));
         double[] rates = {15, 30, 60, 120, 240};
-        table("cap", "ticks a second:", rates, capped, entry -> rate -> {
+        table("cap", "ticks per second:", rates, capped, entry -> rate -> {
             Engine engine = entry.engine.get();
             Engine.Body body = engine.add(1, 0, 0, 0);
             for (int i = 0; i < 2 * rate; i++) {

@@ -162,13 +162,13 @@ class MotorComparisonTest {
     private static String reached(Way way, int rate) {
         Run run = way.run(0, 0, ENGINE, SPEED, rate);
         double top = run.topIn(3), x = run.body.x(), least = top;
-        if (top > 1.1 * SPEED) return "swings around u";
+        if (top > 1.1 * SPEED) return "oscillates around u";
         for (int i = 0; i < rate; i++) {
             run.step();
             least = Math.min(least, run.body.v());
             top = Math.max(top, run.body.v());
         }
-        if (top - least > 1e-3) return "trembles: " + Page.number(top - least, 2) + " m/s";
+        if (top - least > 1e-3) return "oscillates by " + Page.number(top - least, 2) + " m/s";
         return Page.error(x, SPEED * 3 - SPEED * SPEED / (2 * ENGINE));
     }
 
@@ -258,7 +258,7 @@ class MotorComparisonTest {
                             Page.number(pushed(run, 0.9).x, 2) + " m",
                             Page.error(pushed(braking(way, 60), 1.1).v, 0.1 * FRICTION * 10)));
         }
-        List<String> head = List.of("", "turns round", "speed after 10 s", "0.9 R moves it by", "1.1 R: error of v");
+        List<String> head = List.of("", "reverses", "speed after 10 s", "0.9 R moves it by", "1.1 R: error of v");
         Page.check("at-rest", head, rows);
     }
 
@@ -276,7 +276,7 @@ class MotorComparisonTest {
     }
 
     private static void perTickRate(String name, List<Way> ways, Function<Way, IntFunction<String>> cell) {
-        List<String> head = new ArrayList<>(List.of("ticks a second:"));
+        List<String> head = new ArrayList<>(List.of("ticks per second:"));
         IntStream.of(TICK_RATES).mapToObj(String::valueOf).forEach(head::add);
         Map<String, List<String>> rows = new LinkedHashMap<>();
         for (Way way : ways) {

@@ -31,7 +31,7 @@ enum Poison {
             Engine.Body body = engine.add(0, 0, 0, 0);
             body.push(1);
             engine.step(1);
-            return body.v() == 0 ? "no force moves it" : "is taken for " + Page.number(1 / body.v()) + " kg";
+            return body.v() == 0 ? "no force moves it" : "counts as " + Page.number(1 / body.v()) + " kg";
         }
     },
     STEP_NAN("a step of NaN s") {
@@ -65,8 +65,8 @@ enum Poison {
         body.stop();
         for (int i = 0; i < 60; i++) engine.step(Loop.TICK);
         if (!Double.isNaN(body.x())) return "the body is at " + Page.number(body.x());
-        if (Double.isNaN(far.x()) || Double.isNaN(left.x())) return "every position is NaN, for ever";
-        return "its position is NaN, for ever" + (left.v() > right.v() ? "; the others no longer collide" : "");
+        if (Double.isNaN(far.x()) || Double.isNaN(left.x())) return "every position remains NaN";
+        return "its position remains NaN" + (left.v() > right.v() ? "; the others no longer collide" : "");
     }
 
     /** {@return what it does, in words} */
@@ -74,7 +74,7 @@ enum Poison {
         try {
             return give(engine.get());
         } catch (IllegalArgumentException e) {
-            return "is refused";
+            return "throws an exception";
         }
     }
 

@@ -44,7 +44,7 @@ class StateComparisonTest {
         rows.put(
                 "[gdx-box2d](https://libgdx.com/wiki/extensions/physics/box2d)",
                 List.of(com.badlogic.gdx.Version.VERSION, "Box2D 2.3 in C++, by JNI", stateOf(new GdxBox2d())));
-        rows.put("yarts-physics", List.of("this one", "Java", stateOf(new Ours(Integrator.EXACT))));
+        rows.put("yarts-physics", List.of("this version", "Java", stateOf(new Ours(Integrator.EXACT))));
         Page.check("engines", List.of("", "version", "written in", "state in"), rows);
     }
 

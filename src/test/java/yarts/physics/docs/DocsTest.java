@@ -114,7 +114,8 @@ class DocsTest {
     /** Of what the page on quality names, and of the tests and profiles that any page has in its commands. */
     @Test
     void everyTestAndProfileThatIsNamedExists() throws Exception {
-        for (String name : find(NAME, Files.readString(Path.of("docs/maintainers/quality.md")))) assertTrue(isCode(name), name);
+        for (String name : find(NAME, Files.readString(Path.of("docs/maintainers/quality.md"))))
+            assertTrue(isCode(name), name);
         int commands = 0;
         for (Path page : pages()) {
             for (String command : find(Pattern.compile("(mvn[^`\n]* -Dtest=[\\w,]+)"), Files.readString(page))) {

@@ -18,7 +18,8 @@ import yarts.physics.benchmarks.Results.Row;
 final class Report {
     private static final String START = "<!-- results -->", END = "<!-- end of results -->";
     private static final int GAME = 10_000; // units
-    private static final List<Integer> SIZES = List.of(GAME, 100_000, 1_000_000), FEWER_SIZES = List.of(GAME, 1_000_000);
+    private static final List<Integer> SIZES = List.of(GAME, 100_000, 1_000_000),
+            FEWER_SIZES = List.of(GAME, 1_000_000);
     private static final double FRAME = 1e9 / 60; // ns
 
     /** A line of a table: a label, and which benchmark it is with which parameters. */
@@ -101,7 +102,11 @@ final class Report {
         Results first = all.get(0);
         StringBuilder out = new StringBuilder();
         for (Results results : all) {
-            out.append("- **").append(results.name()).append("**: ").append(results.machine().lines().collect(Collectors.joining("; "))).append('\n');
+            out.append("- **")
+                    .append(results.name())
+                    .append("**: ")
+                    .append(results.machine().lines().collect(Collectors.joining("; ")))
+                    .append('\n');
         }
         out.append("\n## A force on every unit and a step\n\n");
         Optional<Row> list = peer(Peers.OBJECT_LIST).in(first, GAME);
@@ -110,7 +115,9 @@ final class Report {
                 all,
                 SIZES,
                 contest(),
-                new Column("÷ list", row -> list.map(r -> number(row.median() / r.median())).orElse("")),
+                new Column(
+                        "÷ list",
+                        row -> list.map(r -> number(row.median() / r.median())).orElse("")),
                 new Column("of a frame", row -> percent(row.median() * GAME / FRAME)),
                 new Column("bytes", row -> bytes(row.bytes())));
         out.append("\n## Other operations\n\n");
@@ -140,8 +147,11 @@ final class Report {
             List<String> cells = new ArrayList<>(List.of(line.label));
             for (Results results : all) {
                 for (int units : sizes) {
-                    if (!head.subList(1, times).contains(results.jdk() + ": " + String.format(Locale.ROOT, "%,d", units))) continue;
-                    cells.add(line.in(results, units).map(row -> number(row.median())).orElse(""));
+                    if (!head.subList(1, times)
+                            .contains(results.jdk() + ": " + String.format(Locale.ROOT, "%,d", units))) continue;
+                    cells.add(line.in(results, units)
+                            .map(row -> number(row.median()))
+                            .orElse(""));
                 }
             }
             Optional<Row> game = line.in(all.get(0), GAME);
@@ -159,13 +169,15 @@ final class Report {
         List<Line> lines = new ArrayList<>(contest());
         lines.addAll(operations());
         double[] spreads = all.stream()
-                .flatMap(results -> lines.stream().flatMap(line -> SIZES.stream().flatMap(n -> line.in(results, n).stream())))
+                .flatMap(results ->
+                        lines.stream().flatMap(line -> SIZES.stream().flatMap(n -> line.in(results, n).stream())))
                 .mapToDouble(row -> Math.max(row.high() / row.median() - 1, 1 - row.low() / row.median()))
                 .sorted()
                 .toArray();
         if (spreads.length == 0) return "";
-        return "The quartiles are within " + percent(spreads[9 * (spreads.length - 1) / 10]) + " of the median in nine of ten cases, and within "
-                + percent(spreads[spreads.length - 1]) + " in all.";
+        return "The quartiles are within " + percent(spreads[9 * (spreads.length - 1) / 10])
+                + " of the median in nine of ten cases, and within " + percent(spreads[spreads.length - 1])
+                + " in all.";
     }
 
     /** Three digits or so. */

@@ -6,7 +6,7 @@ import yarts.physics.World;
 
 // tag::adapter[]
 /**
- * Steps the units of the entities, and takes out the unit of one that is deleted or loses its body. The game makes both:
+ * Steps the units of the entities, and removes the unit of an entity that is deleted or loses its body. The game creates both:
  * {@code world.edit(world.create()).create(Body.class).unit = physics.units.add(unit)}. {@code world} is artemis-odb's, and
  * {@code Body} a component with the field {@code Unit unit}, annotated {@code @DelayedComponentRemoval}.
  */

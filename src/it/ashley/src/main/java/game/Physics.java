@@ -7,7 +7,7 @@ import yarts.physics.World;
 
 // tag::adapter[]
 /**
- * Steps a world once an update, and takes the unit of an entity out of it when the entity is removed. The game makes both:
+ * Steps a world once per update, and removes the unit of an entity that is removed. The game creates both:
  * {@code engine.addEntity(new Entity().add(new Body(physics.world.add(unit))))}, where the component is
  * {@code record Body(Unit unit) implements Component {}}. It adds this to the engine as a system, and as a listener to
  * {@code Family.all(Body.class).get()}.

@@ -8,8 +8,8 @@ import yarts.physics.World;
 
 // tag::adapter[]
 /**
- * Steps a world once a tick, without the units whose entities were deleted. A unit is itself a component: the game makes both
- * with {@code entities.put(unit, dominion.createEntity(world.add(unit)))}, and calls {@code scheduler.schedule(physics)}.
+ * Steps a world once per tick, and removes units whose entities were deleted. A unit is itself a component: the game creates
+ * both with {@code entities.put(unit, dominion.createEntity(world.add(unit)))}, and calls {@code scheduler.schedule(physics)}.
  */
 record Physics(Scheduler scheduler, World world, Map<Unit, Entity> entities) implements Runnable {
     @Override

@@ -35,7 +35,7 @@ public final class Game extends GameApplication {
     private final World world = new World();
     private final Map<Unit, Entity> entities = new HashMap<>();
 
-    /** Steps the world once a frame. FXGL calls it after the components, which have given their orders. */
+    /** Steps the world once per frame. FXGL calls it after the components, which have given their orders. */
     @Override
     protected void onUpdate(double tpf) {
         world.advance(tpf);

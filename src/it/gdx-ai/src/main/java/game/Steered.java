@@ -11,8 +11,8 @@ final class Steered {
 
     // tag::adapter[]
     /**
-     * A unit as gdx-ai's behaviours see it; what it can do, they know by their {@code Limiter}. They answer with an
-     * acceleration, for which the game applies a force before each step: {@code unit.applyForce(m * a.x, m * a.y)}.
+     * A unit for the behaviours of gdx-ai; their {@code Limiter} contains its limits. They return an acceleration, and the
+     * game applies the force for it before each step: {@code unit.applyForce(m * a.x, m * a.y)}.
      */
     static Steerable<Vector2> steerable(Unit unit) {
         return new SteerableAdapter<>() {

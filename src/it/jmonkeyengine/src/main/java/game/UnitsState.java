@@ -8,7 +8,7 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 
 // tag::adapter[]
-/** Steps a world once a frame, and moves the spatials of its units over the ground, which is x and z in jME. */
+/** Steps a world once per frame, and moves the spatials of its units in the plane of x and z, the ground in jME. */
 final class UnitsState extends AbstractAppState {
     final World world = new World();
     final Map<Unit, Spatial> spatials = new HashMap<>();

@@ -73,7 +73,7 @@ public final class Game {
         require(world.get(0).getPendingImpulseY() > 0, "it is between two steps");
     }
 
-    /** What docs/cookbook.md says of a unit that is handed to the libraries itself. */
+    /** The statements of docs/snapshots.md about a unit that is passed to the libraries itself. */
     private static void aUnitIsNoBean() {
         Bean written = new Bean();
         written.setFriction(3).setPosition(5, 6).setVelocity(7, 8).setMaxSpeed(100);
@@ -102,7 +102,7 @@ public final class Game {
         } catch (RuntimeException | StackOverflowError expected) {
             return;
         }
-        throw new IllegalStateException(library + " takes a unit now; docs/cookbook.md says that it does not");
+        throw new IllegalStateException(library + " takes a unit now; docs/snapshots.md says that it does not");
     }
 
     private static void require(boolean holds, String claim) {

@@ -4,9 +4,9 @@ package game
 import yarts.physics.Unit
 import yarts.physics.World
 
-// Without an alias, Unit is the physics' in this file, with no word from Kotlin: an import by name goes before what Kotlin
-// imports by itself. (Not so yarts.physics.*: there the type is Kotlin's still.) What returns nothing is kotlin.Unit then, and
-// has to be written so in the types of functions. A return type that is left out, as it mostly is, is not concerned.
+// Without an alias, Unit is yarts.physics.Unit in this file, without a warning: an import by name precedes Kotlin's default
+// imports. (With an import of yarts.physics.*, Unit is still Kotlin's.) The type of a function that returns nothing must then
+// contain kotlin.Unit. An omitted return type is not affected.
 
 fun spawn(world: World, mass: Double): Unit = world.add(Unit(mass))
 

@@ -51,7 +51,7 @@ private fun properties() {
 private fun race() {
     // tag::race[]
     val world = World()
-    val tanks = engines.map { world.add(Tank(it)) } // each is a Tank still
+    val tanks = engines.map { world.add(Tank(it)) } // a List<Tank>
     repeat(600) {
         for (tank in tanks) tank.drive()
         world.advance(1 / 60.0)

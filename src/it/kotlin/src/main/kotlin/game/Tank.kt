@@ -1,7 +1,7 @@
 package game
 
 // tag::tank[]
-import yarts.physics.Unit as Body // Unit is Kotlin's own word for no value
+import yarts.physics.Unit as Body // Kotlin has its own Unit
 
 class Tank(val engine: Double) : Body(40_000.0) { // kg
     init {

@@ -10,13 +10,12 @@ import com.badlogic.gdx.utils.ScreenUtils;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** The game that README and guide show. */
+/** The game in docs/engines.md. */
 // tag::battle[]
 public class Battle extends ApplicationAdapter {
     private SpriteBatch batch;
     private Texture picture;
 
-    // tag::render[]
     private final World world = new World(); // EXACT, 60 steps per second
     private final Unit tank = world.add(new Unit(40_000)); // kg
 
@@ -24,10 +23,9 @@ public class Battle extends ApplicationAdapter {
     public void render() {
         double speed = Gdx.input.isKeyPressed(Input.Keys.RIGHT) ? 10 : 0; // m/s
         tank.setMotor(speed, 0, 80_000); // drives at this speed, or brakes, with an engine of 80 kN
-        world.advance(Gdx.graphics.getDeltaTime()); // whatever the frame rate, 60 steps a second
+        world.advance(Gdx.graphics.getDeltaTime()); // 60 steps per second at any frame rate
         draw((float) tank.getInterpolatedX(), (float) tank.getInterpolatedY());
     }
-    // end::render[]
 
     @Override
     public void create() {

@@ -9,7 +9,7 @@ import yarts.physics.World;
 
 // tag::adapter[]
 /**
- * Steps a world once a tick of the loop, whose delta is in whole milliseconds, and moves the entities of its units. A game
+ * Steps a world once per tick of the loop, whose delta is in whole milliseconds, and moves the entities of its units. A game
  * attaches it: {@code Game.loop().attach(new Physics(Game.loop(), world, entities))}.
  */
 record Physics(ILoop loop, World world, Map<Unit, IEntity> entities) implements IUpdateable {

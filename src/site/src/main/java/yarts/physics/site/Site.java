@@ -25,7 +25,8 @@ public final class Site {
     /** The order of the pages in the navigation. Others come last. */
     private static final List<String> ORDER = List.of(
             "README getting-started guide cookbook two-hundred-tanks troubleshooting engines adopting lockstep snapshots"
-                    .concat(" limits physics jitters comparison benchmarks changelog contributing quality source releasing")
+                    .concat(
+                            " limits physics jitters comparison benchmarks changelog contributing quality source releasing")
                     .split(" "));
 
     private static final List<Extension> EXTENSIONS =
