@@ -19,14 +19,17 @@ import org.junit.jupiter.api.Test;
 /**
  * The docs show the code of the games in src/it, which are compiled and run, and not a copy of it. A page says
  * {@code <!-- include: file tag -->} before a block; in the file the lines stand between {@code // tag::…[]} and
- * {@code // end::…[]}, as in AsciiDoc.
+ * {@code // end::…[]}, as in AsciiDoc. Without a tag, the block is the whole file, with the version that the
+ * README names in place of {@code @project.version@}.
  *
  * <pre>{@code mvn test -Dtest=IncludedCodeTest -Ddocs.write   # writes the blocks anew}</pre>
  */
 class IncludedCodeTest {
     private static final Pattern INCLUDE =
-            Pattern.compile("<!-- include: (\\S+) (\\S+) -->\n(```[^\n]*\n)(.*?)```\n", Pattern.DOTALL);
+            Pattern.compile("<!-- include: (\\S+)(?: (\\S+))? -->\n(```[^\n]*\n)(.*?)```\n", Pattern.DOTALL);
     private static final Pattern TAG = Pattern.compile("// tag::(\\w+)\\[]");
+    private static final Pattern VERSION =
+            Pattern.compile("<artifactId>yarts-physics</artifactId>\\s*<version>(.*?)</version>");
 
     /** An adapter that needs more says that the library's API is wrong. */
     private static final int LONGEST_ADAPTER = 10;
@@ -39,8 +42,10 @@ class IncludedCodeTest {
             StringBuilder anew = new StringBuilder();
             Matcher include = INCLUDE.matcher(text);
             for (; include.find(); blocks++) {
-                String code = region(Path.of(include.group(1)), include.group(2));
-                String block = "<!-- include: " + include.group(1) + ' ' + include.group(2) + " -->\n"
+                Path file = Path.of(include.group(1));
+                String tag = include.group(2);
+                String code = tag == null ? wholeFile(file) : region(file, tag);
+                String block = "<!-- include: " + include.group(1) + (tag == null ? "" : ' ' + tag) + " -->\n"
                         + include.group(3) + code + "```\n";
                 include.appendReplacement(anew, Matcher.quoteReplacement(block));
             }
@@ -87,6 +92,17 @@ class IncludedCodeTest {
                     .sorted()
                     .collect(Collectors.toList());
         }
+    }
+
+    private static String wholeFile(Path file) throws IOException {
+        return Files.readString(file).replace("@project.version@", versionInReadme());
+    }
+
+    /** The version that readers are to use. */
+    static String versionInReadme() throws IOException {
+        Matcher version = VERSION.matcher(Files.readString(Path.of("README.md")));
+        assertTrue(version.find(), "README.md names no version");
+        return version.group(1);
     }
 
     /** The lines between two tags, as far to the left as they go. */
