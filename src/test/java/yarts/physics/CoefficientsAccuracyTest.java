@@ -13,19 +13,19 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * Decay, gain and lag, against the formulas of {@link Integrator} in 60 digits, as functions of z: where mass and
- * dt are 1, and so z is the friction, without a rounding error of its own. The worst found in a million points is printed
- * by the long test; none may be worse than what docs/maintainers/quality.md says.
+ * Compares decay, gain and lag with the formulas of {@link Integrator} in 60 digits, as functions of z. Mass and dt are
+ * 1, so z is the friction and has no rounding error. The long test prints the largest errors of a million points, which
+ * docs/maintainers/quality.md lists.
  */
 class CoefficientsAccuracyTest {
     private static final String[] NAMES = {"decay", "gain", "lag"};
 
-    /** 60 digits, and as many as the difference 1 − e^−z may lose. */
+    /** 60 digits, and the number that the difference 1 − e^−z can lose. */
     private static final MathContext DIGITS = new MathContext(76);
 
     private static final BigDecimal ONE = BigDecimal.ONE, HALF = new BigDecimal(0.5);
 
-    /** The most that is allowed, in ulp; by the integrator, in the order of NAMES. */
+    /** The allowed errors of an integrator in ulp, in the order of NAMES. */
     private static double[] most(Integrator integrator) {
         return switch (integrator) {
             case EULER -> new double[] {0.5, 0.5, 0};
@@ -37,14 +37,14 @@ class CoefficientsAccuracyTest {
 
     @ParameterizedTest
     @EnumSource(Integrator.class)
-    void areWithinAFewUlp(Integrator integrator) {
+    void coefficientsAreWithinAFewUlp(Integrator integrator) {
         assertWithin(integrator, worst(integrator, 3000, 1));
     }
 
     @ParameterizedTest
     @EnumSource(Integrator.class)
     @Tag("long")
-    void areWithinAFewUlpAtAMillionPoints(Integrator integrator) {
+    void coefficientsAreWithinAFewUlpAtAMillionPoints(Integrator integrator) {
         double[] worst = worst(integrator, 1_000_000, 2);
         System.out.println("worst of " + integrator + " in ulp: " + Arrays.toString(worst));
         assertWithin(integrator, worst);
@@ -56,7 +56,7 @@ class CoefficientsAccuracyTest {
             assertTrue(worst[k] <= most[k], integrator + " " + NAMES[k] + ": " + worst[k] + " ulp");
     }
 
-    /** The worst errors, at so many random points and at the borders of the branches and one ulp beside them. */
+    /** The largest errors at random points, at the borders of the branches, and one ulp beside these. */
     private static double[] worst(Integrator integrator, int points, long seed) {
         double[] borders = borders();
         return IntStream.range(0, points + borders.length)
@@ -65,14 +65,14 @@ class CoefficientsAccuracyTest {
                 .reduce(new double[3], CoefficientsAccuracyTest::max);
     }
 
-    /** Nearly uniform in the logarithm, from 1e-12 to 1e4; and one of three where the branches are. */
+    /** Nearly uniform in the logarithm, from 1e-12 to 1e4; one of three is near the branches. */
     private static double random(long seed, int i) {
         SplittableRandom random = new SplittableRandom(seed * 1_000_000_007L + i);
         double from = i % 3 == 0 ? 0.1 : 1e-12, to = i % 3 == 0 ? 3 : 1e4;
         return from * StrictMath.exp(random.nextDouble() * StrictMath.log(to / from));
     }
 
-    /** Where one formula takes over from another: 1/2, 1, 2, 700, and where 2^-n changes. */
+    /** The borders between two formulas: 1/2, 1, 2, 700, and the points where 2^-n changes. */
     private static double[] borders() {
         return IntStream.range(0, 1014)
                 .mapToDouble(n -> n == 0 ? 0.5 : n == 1 ? 1 : n == 2 ? 2 : n == 3 ? 700 : (n - 3.5) * Math.log(2))
@@ -93,10 +93,10 @@ class CoefficientsAccuracyTest {
         for (int k = 0; k < 3; k++) {
             double error = exact[k].subtract(new BigDecimal(all[k])).abs().doubleValue();
             double value = exact[k].doubleValue();
-            boolean gone = k == 0 && value < 1e-304; // of the fastest velocity, this decay leaves rest
+            boolean gone = k == 0 && value < 1e-304; // this decay reduces even the greatest velocity to rest
             errors[k] = gone && all[k] <= 1e-304 ? 0 : error / Math.ulp(value);
         }
-        // The step of a lone unit works the same out elsewhere.
+        // integrate of a unit alone computes the coefficients in other code.
         Table lone = new Table(1);
         lone.friction[0] = z;
         Kernel.setMaxSpeed(lone, 0, Double.POSITIVE_INFINITY);

@@ -4,7 +4,10 @@ package yarts.physics;
 public final class Copies {
     private Copies() {}
 
-    /** {@return a unit in no world, in the state of another, with its forces} To the bit: setters would round to rest. */
+    /**
+     * {@return a unit outside a world with the state and the forces of another} To the bit, which setters would not
+     * give below rest.
+     */
     public static Unit of(Unit unit) {
         Unit copy = new Unit(1);
         unit.table.copyRow(unit.row, copy.table, copy.row);

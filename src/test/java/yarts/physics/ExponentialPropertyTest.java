@@ -15,12 +15,15 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.DoubleRange;
 import yarts.physics.support.Doubles;
 
-/** Our own exponential, and what EXACT makes of it, against 80 digits: the worst found in 200,000: 1.1, 0.8 and 4 ulp. */
+/**
+ * Compares the exponential and the coefficients of EXACT with 80 digits. The largest errors of 200,000: 1.1, 0.8 and 4
+ * ulp.
+ */
 class ExponentialPropertyTest {
     private static final MathContext DIGITS = new MathContext(80);
     private static final BigDecimal ONE = BigDecimal.ONE;
 
-    /** All that is not 0, and about where one formula takes over from another: halves of ln 2, 1/2, 1. */
+    /** All z whose decay is not 0, and those near the borders between two formulas: halves of ln 2, 1/2, 1. */
     @Provide
     Arbitrary<Double> stiffness() {
         return Arbitraries.oneOf(
@@ -69,9 +72,9 @@ class ExponentialPropertyTest {
         assertTrue(Exponential.decay(z * (1 + 1e-13)) <= decay * (1 + 4 * Math.ulp(1.0)));
     }
 
-    /** The bits that every machine gets, at the ends of the series, where a term more or less would show. */
+    /** The bits of every machine at the borders of the series, which one term more or less would change. */
     @Example
-    void theBitsAreThese() {
+    void theBitsAtTheBordersNeverChange() {
         assertEquals(0x1.92e9a0720d3ecp-1, Exponential.gain(0.5));
         assertEquals(0x1.4c2531c3c0d38p0, Exponential.gain(-0.5));
         assertEquals(0x1.ac0e4c53d9905p-2, Exponential.lag(Math.nextDown(1.0)));
@@ -81,7 +84,7 @@ class ExponentialPropertyTest {
     }
 
     @Example
-    void theEndsAreExact() {
+    void theCoefficientsAreExactAtTheEnds() {
         assertEquals(1, Exponential.decay(0));
         assertEquals(1, Exponential.gain(0));
         assertEquals(0.5, Exponential.lag(0));
@@ -89,6 +92,6 @@ class ExponentialPropertyTest {
             assertEquals(0, Exponential.decay(z));
             assertEquals(1 / z, Exponential.lag(z, Exponential.decay(z)));
         }
-        assertTrue(Exponential.decay(Math.nextDown(700.0)) * Kernel.FASTEST < Kernel.REST, "what is left out is rest");
+        assertTrue(Exponential.decay(Math.nextDown(700.0)) * Kernel.FASTEST < Kernel.REST, "smaller: rest");
     }
 }

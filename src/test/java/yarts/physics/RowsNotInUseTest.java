@@ -8,7 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Loops run over rows that are not in use, too: those are at rest, and of mass 1, so that they cost no more than others. */
+/** Loops also process rows that are not in use: these are at rest with mass 1, so that they take no additional time. */
 class RowsNotInUseTest {
     private final SplittableRandom random = new SplittableRandom(1);
 
@@ -35,14 +35,14 @@ class RowsNotInUseTest {
             for (double[] column : t.columns()) assertEquals(column == t.mass ? 1 : 0, column[i]);
             for (double[] column : List.of(t.frameX, t.frameY)) assertEquals(0, column[i]);
             for (double[] column : List.of(t.decay, t.gain, t.lag)) assertTrue(column[i] >= 0 && column[i] <= 1e300);
-            assertTrue(t.cap[i] > 0, "or the cap would divide by 0");
+            assertTrue(t.cap[i] > 0, "otherwise the cap would divide by 0");
             assertEquals(0, t.id[i]);
         }
     }
 
     @ParameterizedTest
     @EnumSource
-    void areAtRest(Integrator integrator) {
+    void rowsThatAreNotInUseAreAtRest(Integrator integrator) {
         World world = new World(integrator, Timestep.fixed(60));
         add(world, 1300);
         play(world);

@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A tile in which nothing moves falls asleep within 16 steps. A step of it then costs nothing: it is not looked at. */
+/** A tile in which nothing moves falls asleep within 16 steps. Then a step skips it. */
 class SleepTest {
     private static final int SOON = 16;
 
@@ -26,7 +26,7 @@ class SleepTest {
 
     @ParameterizedTest
     @EnumSource
-    void aTileSleepsUntilOneOfItsUnitsWakesItAndNoOther(Integrator integrator) {
+    void aTileSleepsUntilAChangeOfOneOfItsUnits(Integrator integrator) {
         world.setIntegrator(integrator);
         for (int i = 0; i < Table.TILE + 40; i++) world.add(new Unit(1));
         assertAsleep(true, true);
@@ -60,10 +60,10 @@ class SleepTest {
         assertTrue(world.get(3).getX() > 0);
     }
 
-    /** What has moved but is at rest must be drawn on its way for one step, and not for more. */
+    /** A unit at rest that has been moved must be interpolated for exactly one step. */
     @ParameterizedTest
     @EnumSource
-    void aMoveAndAnArrivalWakeATileForOneStep(Integrator integrator) {
+    void aMoveAndANewRowWakeATileForOneStep(Integrator integrator) {
         world.setIntegrator(integrator);
         for (int i = 0; i < Table.TILE + 1; i++) world.add(new Unit(1));
         assertAsleep(true, true);
@@ -98,15 +98,15 @@ class SleepTest {
         double x = world.get(7).getX();
         world.get(7).applyForce(0.9 * world.get(7).getMotorForce(), 0);
         world.step();
-        assertFalse(asleep(0), "a push is a step of the tile, though the brake holds");
+        assertFalse(asleep(0), "a force wakes the tile, although the brake holds");
         assertAsleep(true, true);
         assertEquals(x, world.get(7).getX());
     }
 
-    /** Also if it gains so little in a step that its velocity stays 0. */
+    /** Also if the motor is so weak that the velocity stays 0 in a step. */
     @ParameterizedTest
     @EnumSource
-    void aTileInWhichAMotorWantsToMoveDoesNotSleep(Integrator integrator) {
+    void aTileWithAMotorThatDrivesDoesNotSleep(Integrator integrator) {
         world.setIntegrator(integrator);
         for (int i = 0; i < Table.TILE + 40; i++) world.add(new Unit(1)).setMotor(0, 0, 1);
         assertAsleep(true, true);
@@ -126,10 +126,10 @@ class SleepTest {
         }
         world.get(3).setMotor(5, 0, 60);
         world.step();
-        assertEquals(1, world.get(3).getVx(), "at once, though the tile slept");
+        assertEquals(1, world.get(3).getVx(), "at once, although the tile slept");
     }
 
-    /** Frozen and pinned units do not move: their motors keep nobody awake until they are released. */
+    /** Frozen and pinned units do not move, so their motors do not wake the tile before their release. */
     @ParameterizedTest
     @EnumSource
     void theMotorOfAUnitThatCannotMoveDoesNotKeepItsTileAwake(Integrator integrator) {
@@ -153,10 +153,10 @@ class SleepTest {
         assertEquals(5, last.getVy());
     }
 
-    /** So that a game that switches its motors off does not pay for them, whether it pushes its units or not. */
+    /** So a game that switches its motors off does not pay for them, with and without forces. */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
-    void aTileForgetsMotorsThatAreOff(boolean pushed) {
+    void aTileIgnoresMotorsThatAreOff(boolean pushed) {
         for (int i = 0; i < Table.TILE + 40; i++) world.add(new Unit(1)).setVelocity(1, 0);
         Unit first = world.get(0), second = world.get(1);
         first.setMotor(1, 0, 1);
@@ -175,10 +175,10 @@ class SleepTest {
         }
     }
 
-    /** A change of dt or integrator must reach tiles that sleep during it. */
+    /** A change of dt or integrator must also apply to sleeping tiles. */
     @ParameterizedTest
     @EnumSource
-    void aTileThatSleptDuringAChangeOfTheStepUsesTheNewOne(Integrator integrator) {
+    void aTileThatSleptDuringAChangeOfTheIntegratorUsesTheNewOne(Integrator integrator) {
         Unit unit = world.add(new Unit(2).setFriction(3));
         unit.applyForce(1, 0);
         world.step();

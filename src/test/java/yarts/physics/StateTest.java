@@ -12,11 +12,11 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import yarts.physics.snapshot.Saves;
 
-/** What bytes cannot show of the state: fields that somebody might add, and the sign of zero in memory. */
+/** Properties of the state that are not visible in bytes: new fields, and the sign of zero in memory. */
 class StateTest {
-    /** A field is in the hash and in saves, or is worked out from those that are, or lasts for a frame. */
+    /** Each field is in hash and snapshots, is computed from such fields, or is used only during a frame. */
     @Test
-    void noFieldIsForgotten() {
+    void everyFieldIsKnown() {
         Stream<String> known = Stream.of(Table.STATE);
         Stream<String> working = Stream.of("cap", "decay", "gain", "lag", "frameX", "frameY");
         assertFields(Table.class, double[].class, Stream.concat(known, working));
@@ -30,10 +30,10 @@ class StateTest {
         assertFields(Clock.class, null, Stream.concat(counts, Stream.of("timestep", "irregular", "dropped")));
         assertFields(Timestep.class, null, Stream.of("rate", "maxStep", "maxSteps"));
         assertEquals(5 + 2 * 2, Clock.STATE.length, "two sums have an error, too");
-        assertEquals(Saves.STATE, List.of(Table.STATE), "as the document names them");
+        assertEquals(Saves.STATE, List.of(Table.STATE), "the names in the document");
     }
 
-    /** Of a type, or of any. */
+    /** Compares the names of the fields of a type, or of any type if it is null. */
     private static void assertFields(Class<?> of, Class<?> type, Stream<String> expected) {
         Set<String> names = new HashSet<>();
         for (Field field : of.getDeclaredFields()) {
@@ -44,7 +44,7 @@ class StateTest {
     }
 
     @Test
-    void theSignOfZeroShowsNowhere() {
+    void theSignOfZeroChangesNeitherHashNorBytes() {
         World world = new World();
         for (int i = 1; i <= 100; i++) world.add(new Unit(i).setFrozen(true)).applyForce(i, -i);
         world.addAfterStep((w, dt) -> w.forEach(unit -> unit.applyForce(1, 2)));

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A team does everything once, and comes back, however its pool is used, and however often. */
+/** A team does each piece of work once and returns, with any use of its pool. */
 @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class TeamSharesTest {
     private static final int THINGS = 64;
@@ -42,7 +42,7 @@ class TeamSharesTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 4, 7})
-    void everythingIsDoneOnceTimeAfterTime(int threads) {
+    void everyPieceIsDoneOnceInEachOfManyCalls(int threads) {
         ForkJoinPool own = new ForkJoinPool(threads);
         try {
             Team of = new Team(own, 8);
@@ -52,9 +52,9 @@ class TeamSharesTest {
         }
     }
 
-    /** The pool is busy; what it was offered time after time still waits in it when its threads come to it at last. */
+    /** The pool is busy, so helpers of earlier calls still wait in it when its threads are free. */
     @Test
-    void whatWaitsInThePoolFromBeforeDoesNoHarm() throws Exception {
+    void helpersOfEarlierCallsThatStillWaitChangeNothing() throws Exception {
         CountDownLatch busy = new CountDownLatch(1), begun = new CountDownLatch(4);
         for (int i = 0; i < 4; i++) {
             pool.execute(() -> {
@@ -68,7 +68,7 @@ class TeamSharesTest {
         AtomicLong sum = new AtomicLong();
         team.share(
                 i -> {
-                    if (i == 0) busy.countDown(); // now they come, in the middle of this one
+                    if (i == 0) busy.countDown(); // now they start, in the middle of this call
                     sum.incrementAndGet();
                 },
                 THINGS);
@@ -86,7 +86,7 @@ class TeamSharesTest {
     }
 
     @Test
-    void whatAPieceThrowsComesOutOnceAllOthersAreDone() {
+    void anExceptionOfAPieceIsThrownAfterAllOthersAreDone() {
         for (int k = 0; k < 200; k++) {
             int bad = k % THINGS;
             AtomicLong others = new AtomicLong();
@@ -108,23 +108,23 @@ class TeamSharesTest {
         }
     }
 
-    /** An interrupt is left for the caller to see. */
+    /** The thread of the caller stays interrupted. */
     @Test
-    void anInterruptStopsNothing() {
+    void anInterruptDoesNotStopTheWork() {
         Thread.currentThread().interrupt();
         for (int i = 0; i < 1000; i++) shareOnce(team);
         assertTrue(Thread.interrupted());
     }
 
     @Test
-    void aPoolThatIsGoneLeavesEverythingToTheCaller() {
+    void ifThePoolIsShutDownTheCallerDoesEverything() {
         pool.shutdownNow();
         for (int i = 0; i < 1000; i++) shareOnce(team);
     }
 
-    /** Each piece waits until as many threads have begun one. The caller alone would wait for ever. */
+    /** Each piece waits until four threads have begun one. The caller alone would wait permanently. */
     @Test
-    void piecesRunAtTheSameTimeAgainAndAgain() {
+    void piecesRunAtTheSameTimeInEveryCall() {
         for (int i = 0; i < 100; i++) {
             CountDownLatch begun = new CountDownLatch(4);
             team.share(

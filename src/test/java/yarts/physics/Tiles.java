@@ -2,12 +2,12 @@ package yarts.physics;
 
 import java.util.TreeSet;
 
-/** Where tiles begin and end, for tests at these borders. */
+/** The sizes of tiles, for tests at their borders. */
 public final class Tiles {
-    /** Units of a tile. */
+    /** The number of units in a tile. */
     public static final int TILE = Table.TILE;
 
-    /** The fewest units for a thread. */
+    /** The least number of units for a thread. */
     public static final int SHARE = Stepper.LEAST * Table.TILE;
 
     private Tiles() {}

@@ -4,8 +4,8 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 
 /**
- * Loads a library, has it set bits of this thread's floating-point mode, and prints after each of the two what {@link
- * World#checkArithmetic} says, and what a world comes to whose numbers are tiny.
+ * Loads a library and lets it set bits of this thread's floating-point mode. After each of the two, prints the result
+ * of {@link World#checkArithmetic} and the hash of a world with tiny numbers.
  *
  * <pre>{@code java -cp … yarts.physics.bits.ArithmeticMain <library> <bits>}</pre>
  */
@@ -19,7 +19,7 @@ public final class ArithmeticMain {
         System.out.println(verdict());
     }
 
-    /** What the library does. */
+    /** Implemented by the library. */
     private static native void set(int bits);
 
     static String verdict() {

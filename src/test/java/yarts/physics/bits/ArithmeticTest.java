@@ -22,13 +22,13 @@ import org.junit.jupiter.params.provider.MethodSource;
 import yarts.physics.World;
 
 /**
- * The check of a thread's arithmetic passes where Java's holds, and says so where native code has changed it. For the
- * latter a library is made with the machine's own C compiler, if it has one, and loaded into other JVMs.
+ * The check of a thread's arithmetic passes if it is Java's, and throws if native code has changed it. For the second
+ * case, a library is built with the C compiler of the machine, if there is one, and loaded into other JVMs.
  */
 class ArithmeticTest {
     private static final boolean ARM = System.getProperty("os.arch").equals("aarch64");
 
-    /** Sets bits of the floating-point control register: when it is loaded, if that is asked for, and when called. */
+    /** Sets bits of the floating-point control register, when called, and with AT_ONCE also when loaded. */
     private static final String LIBRARY = """
             #ifdef __aarch64__
             static void set(int bits) {
@@ -81,13 +81,13 @@ class ArithmeticTest {
                         .start();
                 if (process.waitFor() == 0) return true;
             } catch (IOException e) {
-                // There is no such program: the next one.
+                // There is no such program; try the next one.
             }
         }
         return false;
     }
 
-    /** {@return the two lines that a JVM prints, in which that library sets these bits} */
+    /** {@return the two lines of a JVM in which the library sets these bits} */
     private static List<String> printed(String library, int bits) throws Exception {
         Process process = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
@@ -125,7 +125,7 @@ class ArithmeticTest {
         assertEquals(3, passed[0]);
     }
 
-    /** The bits of FTZ and DAZ in the x86's MXCSR, and of FZ, which is both, in the ARM's FPCR; and what they do. */
+    /** The bits of FTZ and DAZ in MXCSR of x86, and of FZ, which is both, in FPCR of ARM; and the flushed numbers. */
     static Stream<Arguments> modes() {
         if (ARM) return Stream.of(arguments(1 << 24, "results and operands"));
         return Stream.of(
@@ -136,19 +136,19 @@ class ArithmeticTest {
 
     @ParameterizedTest
     @MethodSource("modes")
-    void aThreadThatFlushesTinyNumbersIsFoundOut(int bits, String flushed) throws Exception {
+    void aThreadThatFlushesTinyNumbersIsDetected(int bits, String flushed) throws Exception {
         assumeTrue(compiles, "no C compiler");
         List<String> lines = printed("plain", bits);
         assertEquals(ArithmeticMain.verdict(), lines.get(0), "before");
         assertTrue(
                 lines.get(1).startsWith("this thread flushes subnormal numbers to 0, as " + flushed + ": "),
                 lines::toString);
-        assertNotEquals(hash(ArithmeticMain.verdict()), hash(lines.get(1)), "and its worlds are others");
+        assertNotEquals(hash(ArithmeticMain.verdict()), hash(lines.get(1)), "the results of its worlds differ");
     }
 
-    /** As one that was linked for fast mathematics does. Newer JVMs undo it: then the check passes, and is right. */
+    /** As a library does that was linked with fast mathematics. Newer JVMs undo the change; then the check passes. */
     @Test
-    void aLibraryThatChangesTheModeWhenLoadedIsFoundOutUnlessTheJvmUndoesIt() throws Exception {
+    void aLibraryThatChangesTheModeWhenLoadedIsDetectedUnlessTheJvmUndoesIt() throws Exception {
         int bits = (int) modes().reduce((a, b) -> b).orElseThrow().get()[0];
         assumeTrue(compiles && compile("eager", "-DAT_ONCE=" + bits), "no C compiler");
         String line = printed("eager", 0).get(0);

@@ -26,25 +26,25 @@ import org.objectweb.asm.Opcodes;
 import yarts.physics.World;
 
 /**
- * Nothing in the library can come to other bits on another JVM, at another time or in another order: its bytecode is
- * searched for what could. {@link Offender} proves that each rule bites.
+ * The results of the library have the same bits on every JVM, at any time and in any order: its bytecode is searched
+ * for operations that could differ. {@link Offender} proves that each rule detects them.
  */
 class BytecodeTest {
     enum Rule {
-        /** Of Math, only the exactly rounded functions of doubles, and those of integers. */
+        /** Only the exactly rounded functions of Math for doubles, and those for integers. */
         MATH,
-        /** Nothing of StrictMath, which is not the same everywhere if Java is translated to another language. */
+        /** No StrictMath, whose results can differ if Java is translated to another language. */
         STRICT_MATH,
-        /** Floats are made and copied, for a renderer, but not kept, and nothing is worked out with them. */
+        /** Floats are converted and copied for a renderer, but never stored in the state or computed with. */
         FLOAT,
-        /** Maps and sets without an order of their own are for looking up only. */
+        /** Unordered maps and sets are used only for lookups. */
         HASH_ORDER,
-        /** No clock, no setting of the machine, no thread but a pool's. */
+        /** No clock, no system property, no thread except those of a pool. */
         SYSTEM,
         RANDOM,
         /** No hash that differs from one run to the next. */
         IDENTITY,
-        /** No sum whose order is left to others. */
+        /** No sum in an unspecified order. */
         REDUCTION
     }
 
@@ -64,7 +64,7 @@ class BytecodeTest {
             Opcodes.L2F);
 
     @Test
-    void theLibraryKeepsEveryRule() throws Exception {
+    void theLibraryObeysEveryRule() throws Exception {
         try (Stream<Path> files = Files.walk(SameBitsTest.classes(World.class))) {
             List<Path> classes =
                     files.filter(p -> p.toString().endsWith(".class")).toList();
@@ -85,7 +85,7 @@ class BytecodeTest {
     }
 
     @Test
-    void everyRuleBites() throws Exception {
+    void everyRuleDetectsItsOffenders() throws Exception {
         List<String> expected = Stream.of(Offender.class.getDeclaredFields(), Offender.class.getDeclaredMethods())
                 .flatMap(Stream::of)
                 .filter(m -> ((AnnotatedElement) m).isAnnotationPresent(Offender.Breaks.class))
@@ -189,7 +189,7 @@ class BytecodeTest {
 
     private static boolean isLookUp(String name, String desc) {
         return name.matches("get|put|remove|add|contains|containsKey|size|isEmpty|clear")
-                || (name.equals("<init>") && !desc.contains(";")); // not a copy of another
+                || (name.equals("<init>") && !desc.contains(";")); // not a copy of another map
     }
 
     private static boolean isUnordered(String owner) {

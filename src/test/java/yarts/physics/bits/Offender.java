@@ -22,10 +22,10 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import yarts.physics.bits.BytecodeTest.Rule;
 
-/** Breaks each rule of {@link BytecodeTest}: a method for each way, and at the end methods that break none. */
+/** Methods that break each rule of {@link BytecodeTest} in several ways, and at the end methods that break none. */
 @SuppressWarnings("unused")
 final class Offender {
-    /** The rule that a method breaks, alone. */
+    /** The only rule that a method breaks. */
     @Retention(RetentionPolicy.RUNTIME)
     @interface Breaks {
         Rule value();

@@ -9,8 +9,8 @@ import yarts.physics.World;
 import yarts.physics.support.Churn;
 
 /**
- * Plays {@link Churn} with each integrator, and prints a hash of all its states and of all that can be read of them. Run
- * it on any JVM, with any flags, on any number of threads: it prints the same.
+ * Plays {@link Churn} with each integrator, and prints a hash of all states and of all values that getters return. The
+ * output is the same on any JVM, with any flags and any number of threads.
  *
  * <pre>{@code java -cp … yarts.physics.bits.SameBitsMain <units> <ticks> <threads>}</pre>
  */
@@ -39,7 +39,7 @@ public final class SameBitsMain {
         }
     }
 
-    /** As above, in worlds set up by the caller. This needs no threads, so that it can be played where there are none. */
+    /** The same in worlds that the caller sets up. It needs no threads, so it runs on platforms without them. */
     public static String play(int units, int ticks, Consumer<World> setUp) {
         StringBuilder line = new StringBuilder();
         for (Integrator integrator : Integrator.values()) {
@@ -83,7 +83,7 @@ public final class SameBitsMain {
         for (float v : xy) mix(v);
     }
 
-    /** Of what is 0, the sign does not count. */
+    /** Ignores the sign of 0. */
     private void mix(double v) {
         mix(Double.doubleToRawLongBits(v + 0.0));
     }

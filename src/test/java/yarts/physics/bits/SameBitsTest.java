@@ -28,18 +28,18 @@ import org.junit.jupiter.api.Test;
 import yarts.physics.World;
 
 /**
- * The same game has the same bits in the interpreter, from each compiler, with other machine instructions, on other
- * JDKs and on any number of threads: those written down here, on any machine and in any year.
+ * The same game has the same bits in the interpreter, with each compiler, with other machine instructions, on other
+ * JDKs and with any number of threads: the golden bits below, on any machine.
  */
 class SameBitsTest {
-    /** Enough for several threads; {@link SameBitsMain} fails if they have nothing to do. */
+    /** Enough units for several threads; {@link SameBitsMain} fails if these have no work. */
     private static final int UNITS = 70_000;
 
     private static final int SHORT = 5, MEDIUM = 150, LONG = 1500;
 
     /**
-     * What the game comes to after so many ticks. A version that changes a bit of it can neither play the replays of older
-     * ones nor play against them, and must say so. The new lines are what {@link SameBitsMain} prints.
+     * The hashes of the game by number of ticks. A version that changes a bit can neither play replays of older
+     * versions nor play against them; the changelog must say so. {@link SameBitsMain} prints the new lines.
      */
     private static final Map<Integer, String> GOLDEN = Map.of(
             SHORT,
@@ -50,15 +50,15 @@ class SameBitsTest {
                     "EULER 803ff75d1eb0208a SEMI_IMPLICIT b3f6bb28a1dbf72d MIDPOINT 8e8f1ec076207cd7 EXACT 48bb2a78b31862af");
 
     private static final Path HOME = Path.of(System.getProperty("java.home"));
-    /** A JVM as it comes. */
+    /** A JVM with its defaults. */
     private static final String DEFAULT = "-XX:+TieredCompilation";
 
     private static final String FIRST_COMPILER = "-XX:TieredStopAtLevel=1";
-    /** The second compiler with the oldest instructions. A JVM ignores the switch of another processor. */
+    /** The second compiler with the oldest instructions. A JVM ignores the switches of other processors. */
     private static final String OLDEST = "-XX:UseAVX=0 -XX:UseSVE=0";
 
     private static final String INTERPRETER = "-Xint";
-    /** Without the JVM's own code for Math.exp and the like: if any were used, it would show. */
+    /** Without the JVM's own code for Math.exp and similar functions: their use would change the bits. */
     private static final String NO_INTRINSICS = "-XX:-UseLibmIntrinsic";
 
     private static final List<String> SWITCHES = List.of(
@@ -91,10 +91,10 @@ class SameBitsTest {
         assertGolden(children);
     }
 
-    /** The whole game on every JDK as it comes; a tenth with each switch; a little of it in the interpreter. */
+    /** The whole game on every JDK with its defaults; a tenth with each switch; a small part in the interpreter. */
     @Test
     @Tag("long")
-    void everyJdkGivesTheGoldenBitsHoweverItRuns() throws Exception {
+    void everyJdkGivesTheGoldenBitsWithEverySwitch() throws Exception {
         Set<Path> homes = otherJdks();
         homes.add(HOME);
         List<Child> children = new ArrayList<>();
@@ -109,14 +109,14 @@ class SameBitsTest {
     }
 
     @Test
-    void theHashSeesEveryStepAndUnit() {
+    void theHashIncludesEveryStepAndUnit() {
         assertEquals(SameBitsMain.play(50, 100, 1), SameBitsMain.play(50, 100, 1));
         assertNotEquals(SameBitsMain.play(50, 100, 1), SameBitsMain.play(50, 110, 1));
         assertNotEquals(SameBitsMain.play(50, 100, 1), SameBitsMain.play(51, 100, 1));
         assertTrue(SameBitsMain.play(50, 100, 1).matches("(\\w+ [0-9a-f]+ ){3}EXACT [0-9a-f]+"));
     }
 
-    /** Runs JVMs, as many at a time as there are processors. */
+    /** Runs JVMs, one at a time for each processor. */
     private static void assertGolden(List<Child> children) throws Exception {
         ExecutorService processors =
                 Executors.newFixedThreadPool(Runtime.getRuntime().availableProcessors());
@@ -142,7 +142,7 @@ class SameBitsTest {
             this.threads = threads;
         }
 
-        /** {@return what is wrong with what it printed} */
+        /** {@return the faults in its output; empty if there are none} */
         @Override
         public String call() throws Exception {
             List<String> command = new ArrayList<>(List.of(

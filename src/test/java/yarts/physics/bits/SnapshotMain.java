@@ -8,8 +8,8 @@ import yarts.physics.World;
 import yarts.physics.support.Churn;
 
 /**
- * Restores the world of a saved game, plays on, and saves it again: on any machine the hashes that it prints and the
- * bytes that it writes are the same, whatever machine wrote what it reads.
+ * Restores the world of a snapshot, continues to play, and saves it again. The printed hashes and the written bytes are
+ * the same on any machine, for a snapshot from any machine.
  *
  * <pre>{@code java -cp … yarts.physics.bits.SnapshotMain <read> <write> <frames>}</pre>
  */

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.TestFactory;
 import yarts.physics.snapshot.SnapshotFuzz;
 import yarts.physics.world.WorldFuzz;
 
-/** What a fuzzer found to take new ways through the library, or to fail once, without the fuzzer. */
+/** Repeats the inputs of a fuzzer that led to new paths through the library, or that failed once. */
 class CorpusTest {
     private static final Path CORPUS = Path.of("src/test/resources/fuzz");
 

@@ -18,11 +18,11 @@ import yarts.physics.World;
 import yarts.physics.support.Churn;
 
 /**
- * Whatever a listener does in whichever hook of whichever step of a frame, the world is in a state that it can be in and
- * nothing is left behind: it goes on as a world does that was made from its save.
+ * After any fault of a listener, before or after any step of a frame, the state of the world is valid and complete: the
+ * world continues as another one that was restored from its snapshot.
  */
 class FaultsPropertyTest {
-    /** What a listener may do wrong, or at an unlucky moment. */
+    /** Faults of a listener, and valid calls at an unusual moment. */
     enum Fault {
         THROWS_AN_EXCEPTION,
         THROWS_AN_ERROR,
@@ -52,7 +52,7 @@ class FaultsPropertyTest {
                 case THROWS_AN_EXCEPTION -> throw new IllegalStateException("an exception of a listener");
                 case THROWS_AN_ERROR -> throw new AssertionError("an error of a listener");
                 case THROWS_WHAT_IT_DOES_NOT_DECLARE ->
-                    FaultsPropertyTest.<RuntimeException>sneak(new Exception("sneaked"));
+                    FaultsPropertyTest.<RuntimeException>throwUnchecked(new Exception("sneaked"));
                 case ADDS -> {
                     for (int i = 0; i < 600; i++)
                         world.add(new Unit(2)).setVelocity(i, 1).applyForce(i, 2);
@@ -80,12 +80,12 @@ class FaultsPropertyTest {
     }
 
     @SuppressWarnings("unchecked")
-    private static <T extends Throwable> void sneak(Throwable e) throws T {
+    private static <T extends Throwable> void throwUnchecked(Throwable e) throws T {
         throw (T) e;
     }
 
     @Property(tries = 1500)
-    void theWorldGoesOnAsOneThatWasMadeFromItsSave(
+    void theWorldContinuesAsOneRestoredFromItsSnapshot(
             @ForAll long seed,
             @ForAll Fault fault,
             @ForAll Integrator integrator,
@@ -125,7 +125,7 @@ class FaultsPropertyTest {
         assertEquals(tick + ran, world.getTick());
         if (fault.stops() && !after) {
             for (Unit unit : world)
-                assertEquals(0, Math.abs(unit.getFx()) + Math.abs(unit.getFy()), "of a step that was not");
+                assertEquals(0, Math.abs(unit.getFx()) + Math.abs(unit.getFy()), "forces of a step that did not run");
         }
         if (frame) {
             double waited = (fixed ? world.getAlpha() * 0.02 : 0) - waits;

@@ -13,34 +13,34 @@ import yarts.physics.World;
 import yarts.physics.support.Churn;
 
 /**
- * Runs calls that take memory where there is none, and then where there is a little more each time, until they succeed:
- * so that they fail wherever they can. After each failure the world must be as it was, and the call, made again with
- * memory, must do what it does in a world that never failed. For a JVM of its own, with a small heap.
+ * Makes calls that allocate memory, first without free memory, and then with slightly more each time until they
+ * succeed. So they fail at every possible point. After each failure the world must be unchanged, and the same call with
+ * memory must have the same effect as in a world without a failure. It needs a separate JVM with a small heap.
  */
 final class OutOfMemoryMain {
     private OutOfMemoryMain() {}
 
-    /** A call; what it returns is compared, too. It is no object, which would take memory after all is done. */
+    /** A call. Its result is compared, too. It is not an object, which would need memory after the call. */
     private interface Call {
         long on(World world);
     }
 
     private static final Map<String, Call> CALLS = new LinkedHashMap<>();
 
-    /** What some calls need; made while there is memory. */
-    private static Unit recruit;
+    /** The arguments of some calls, created while there is memory. */
+    private static Unit newUnit;
 
-    private static Recruits recruits;
+    private static NewUnits newUnits;
     private static Snapshot larger, smaller, used;
     private static byte[] bytes;
     private static ForkJoinPool pool;
 
     static {
-        CALLS.put("add", world -> world.add(recruit).getId());
+        CALLS.put("add", world -> world.add(newUnit).getId());
         CALLS.put("find", world -> (long) world.find(world.get(0).getId()).getMass());
         CALLS.put("find and add", world -> {
             world.find(1);
-            return world.find(world.add(recruit).getId()).getId();
+            return world.find(world.add(newUnit).getId()).getId();
         });
         CALLS.put("find and remove", world -> {
             world.find(1);
@@ -61,7 +61,7 @@ final class OutOfMemoryMain {
             return used.size();
         });
         CALLS.put("restore more", world -> {
-            world.restore(larger, id -> recruits.next());
+            world.restore(larger, id -> newUnits.next());
             return world.size();
         });
         CALLS.put("restore fewer", world -> {
@@ -81,12 +81,12 @@ final class OutOfMemoryMain {
         CALLS.put("advance", world -> world.advance(0.05));
     }
 
-    /** Units that were made while there was memory. */
-    private static final class Recruits {
+    /** Units that were created while there was memory. */
+    private static final class NewUnits {
         private final List<Unit> made = new ArrayList<>();
         private int next;
 
-        Recruits(int n) {
+        NewUnits(int n) {
             for (int i = 0; i < n; i++) made.add(new Unit(1));
         }
 
@@ -95,7 +95,7 @@ final class OutOfMemoryMain {
         }
     }
 
-    /** All the memory there is, in pieces. */
+    /** Occupies all free memory, in pieces. */
     private static final class Ballast {
         private static final int[] SIZES = {1 << 16, 1 << 12, 1 << 8, 1 << 4};
         private final Object[][] pieces = new Object[SIZES.length][1 << 15];
@@ -109,12 +109,12 @@ final class OutOfMemoryMain {
                         counts[k]++;
                     }
                 } catch (OutOfMemoryError e) {
-                    // So there is no more, of that size.
+                    // No piece of this size is free.
                 }
             }
         }
 
-        /** Gives so many bytes back. */
+        /** Frees n bytes. */
         void release(int n) {
             for (int k = 0; k < SIZES.length; k++) {
                 for (; n >= SIZES[k] && counts[k] > 0; n -= SIZES[k]) pieces[k][--counts[k]] = null;
@@ -141,9 +141,9 @@ final class OutOfMemoryMain {
 
     private static void prepare(World world) {
         int units = world.size();
-        recruit = new Unit(7).setPosition(1, 2);
-        recruit.applyForce(3, 4);
-        recruits = new Recruits(units + 40);
+        newUnit = new Unit(7).setPosition(1, 2);
+        newUnit.applyForce(3, 4);
+        newUnits = new NewUnits(units + 40);
         used = world(3).save();
         pool = new ForkJoinPool(2);
         World other = world(2 * units + 40);
@@ -156,14 +156,14 @@ final class OutOfMemoryMain {
         if (!holds) throw new AssertionError(what);
     }
 
-    /** Whatever can be known of a world: past its hash, the order, the ids and who is found by them. */
+    /** Compares all values of a world: the hash, the order, the ids, and the results of find. */
     private static void requireSame(List<Long> expected, long hash, World world, String when) {
         require(hash == world.stateHash(), "another hash " + when);
         require(expected.equals(Churn.bits(world)), "other values " + when);
         int count = 0;
         for (Unit unit : world) {
-            require(unit.getWorld() == world && world.contains(unit), "no member " + when);
-            require(world.units().indexOf(unit) == count, "elsewhere " + when);
+            require(unit.getWorld() == world && world.contains(unit), "not a member " + when);
+            require(world.units().indexOf(unit) == count, "at another index " + when);
             require(world.find(unit.getId()) == unit, "not found " + when);
             count++;
         }
@@ -184,7 +184,7 @@ final class OutOfMemoryMain {
             World world = world(units);
             prepare(world);
             long before = world.stateHash();
-            List<Long> values = Churn.bits(world), unitsValues = Churn.bits(recruit);
+            List<Long> values = Churn.bits(world), unitsValues = Churn.bits(newUnit);
             long got = 0;
             boolean failed = false;
             BALLAST.fill();
@@ -198,12 +198,12 @@ final class OutOfMemoryMain {
             String when = "after " + name + " with " + units + " units and " + free + " bytes";
             if (failed) {
                 failures++;
-                // Of these, a part may be done; that part wholly.
+                // These may have done a part of their work, but that part completely.
                 if (name.matches("find and .*|clear|remove if"))
                     requireSame(Churn.bits(world), world.stateHash(), world, when);
                 else requireSame(values, before, world, when);
                 require(
-                        recruit.getWorld() != null || unitsValues.equals(Churn.bits(recruit)),
+                        newUnit.getWorld() != null || unitsValues.equals(Churn.bits(newUnit)),
                         "a changed unit " + when);
                 Snapshot now = world.save();
                 for (World other : new World[] {new World(), world}) {
@@ -211,8 +211,8 @@ final class OutOfMemoryMain {
                     require(other.stateHash() == world(3).stateHash(), "another snapshot " + when);
                 }
                 world.restore(now);
-                recruits.next = 0;
-                if (recruit.getWorld() == null) got = call.on(world);
+                newUnits.next = 0;
+                if (newUnit.getWorld() == null) got = call.on(world);
                 else got = result;
             }
             require(result == got, "another result " + when + ": " + got);

@@ -10,7 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-/** No memory for a call: it is as if it had not been made. By {@link OutOfMemoryMain}, in a JVM with a small heap. */
+/** A call that runs out of memory changes nothing. {@link OutOfMemoryMain} runs in a JVM with a small heap. */
 class OutOfMemoryTest {
     private static final int CALLS = 16;
 
@@ -29,7 +29,7 @@ class OutOfMemoryTest {
         return text.lines().toList();
     }
 
-    /** How often each call failed before there was enough memory. A step and a search take none. */
+    /** Checks that calls failed before there was enough memory. A step and find need none. */
     private static void assertFailed(List<String> lines) {
         assertEquals(CALLS, lines.size(), lines.toString());
         for (String line : lines) {
@@ -46,7 +46,7 @@ class OutOfMemoryTest {
         assertFailed(failures("32"));
     }
 
-    /** At the ends of blocks and arrays. */
+    /** At the borders of tiles and arrays. */
     @Test
     @Tag("long")
     void aCallWithoutMemoryChangesNothingInWorldsOfAnySize() throws Exception {

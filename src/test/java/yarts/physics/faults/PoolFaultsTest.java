@@ -19,7 +19,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** A pool whose threads do not come, die or are told to stop: the step is the same, and the caller does what is left. */
+/** With a pool whose threads do not start, die or are interrupted, the step is the same; the caller does the work. */
 @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class PoolFaultsTest {
     private static World crowd() {
@@ -47,7 +47,7 @@ class PoolFaultsTest {
         return Stream.of(
                 () -> of(pool -> null),
                 () -> of(pool -> {
-                    throw new IllegalStateException("no threads today");
+                    throw new IllegalStateException("no threads");
                 }),
                 () -> of(pool -> {
                     throw new OutOfMemoryError("unable to create native thread");
@@ -60,22 +60,22 @@ class PoolFaultsTest {
                 }));
     }
 
-    /** Dies as it is born. */
+    /** A thread that throws when it starts. */
     private static final class Stillborn extends ForkJoinWorkerThread {
         Stillborn(ForkJoinPool pool) {
             super(pool);
-            setUncaughtExceptionHandler((thread, e) -> {}); // it has been told
+            setUncaughtExceptionHandler((thread, e) -> {}); // the exception is expected
         }
 
         @Override
         protected void onStart() {
-            throw new IllegalStateException("not today");
+            throw new IllegalStateException("no start");
         }
     }
 
     @ParameterizedTest
     @MethodSource("pools")
-    void aPoolWithoutThreadsLeavesTheWorkToTheCaller(Supplier<ForkJoinPool> pools) {
+    void ifThePoolHasNoThreadsTheCallerDoesTheWork(Supplier<ForkJoinPool> pools) {
         long expected = play(crowd());
         World world = crowd();
         ForkJoinPool pool = pools.get();
@@ -87,9 +87,9 @@ class PoolFaultsTest {
         }
     }
 
-    /** Whoever stops a game interrupts its thread: the step is done, and the flag is still up. */
+    /** A game is often stopped by an interrupt of its thread: the step completes, and the thread stays interrupted. */
     @Test
-    void anInterruptBeforeOrAmidAStepIsKeptAndDoesNoHarm() throws Exception {
+    void anInterruptBeforeOrDuringAStepIsPreservedAndChangesNothing() throws Exception {
         long expected = play(crowd());
         World world = crowd();
         ForkJoinPool pool = new ForkJoinPool(2);
@@ -102,10 +102,10 @@ class PoolFaultsTest {
         other.setPool(pool);
         Thread player = Thread.currentThread();
         AtomicBoolean over = new AtomicBoolean();
-        Thread nag = new Thread(() -> {
+        Thread interrupter = new Thread(() -> {
             while (!over.get()) player.interrupt();
         });
-        nag.start();
+        interrupter.start();
         while (!player.isInterrupted()) Thread.onSpinWait();
         assertEquals(expected, play(other));
         over.set(true);

@@ -23,8 +23,9 @@ import yarts.physics.World;
 import yarts.physics.support.Churn;
 
 /**
- * A call at the end of the stack, a little nearer each time. It can stop anywhere, even in the middle of a step, which no
- * library can take back: but the world must not be stuck, its numbers are finite, and a save from before brings all back.
+ * Makes calls at several depths before the end of the stack. A call can fail at any point, even in the middle of a
+ * step, which cannot be undone. But the world must stay usable with finite numbers, and the restore of a snapshot must
+ * succeed.
  */
 class StackOverflowTest {
     private static final int DEPTHS = 100;
@@ -48,7 +49,7 @@ class StackOverflowTest {
         return world;
     }
 
-    /** Goes to the end of the stack, and makes a call on another world at each frame of the way back. */
+    /** Recurses to the end of the stack, and on return calls another world in each stack frame. */
     private static final class Dive {
         private final Consumer<World> call;
         private final List<World> worlds = new ArrayList<>();
@@ -60,18 +61,18 @@ class StackOverflowTest {
             call.accept(world()); // loads all classes
             for (int i = 0; i < DEPTHS; i++) {
                 World world = world();
-                if (i % 2 == 0) world.find(1); // so that there is an index of ids
+                if (i % 2 == 0) world.find(1); // builds the index of ids
                 worlds.add(world);
                 saves.add(world.save());
             }
         }
 
-        @SuppressWarnings("InfiniteRecursion") // that is what it is for
+        @SuppressWarnings("InfiniteRecursion") // the purpose of this method
         void down() {
             try {
                 down();
             } catch (StackOverflowError e) {
-                // This is the end.
+                // The end of the stack.
             }
             if (next == DEPTHS) return;
             World world = worlds.get(next);
@@ -89,46 +90,46 @@ class StackOverflowTest {
         thread.start();
         thread.join();
         assertEquals(DEPTHS, dive.next);
-        assertTrue(dive.stopped < DEPTHS, "it never came through");
+        assertTrue(dive.stopped < DEPTHS, "the call never succeeded");
     }
 
     @ParameterizedTest(name = "{0}")
     @MethodSource("calls")
     void aWorldSurvivesACallWithoutStack(String name, Consumer<World> call) throws Exception {
         int stopped = 0;
-        for (int i = 0; i < 3; i++) { // as it is compiled, it stops elsewhere
+        for (int i = 0; i < 3; i++) { // compiled code fails at other points
             Dive dive = new Dive(call);
             run(dive);
             stopped += dive.stopped;
             for (int k = 0; k < DEPTHS; k++) assertSurvived(dive.worlds.get(k), dive.saves.get(k));
         }
-        assertTrue(stopped > 0, "it was never stopped");
+        assertTrue(stopped > 0, "the call never failed");
     }
 
-    /** It is either in the world or alone; what it is told is told to no other. */
+    /** The unit is either in the world or alone, and a change of it changes no other unit. */
     @Test
     void aUnitThatCouldNotBeAddedIsAlone() throws Exception {
-        IdentityHashMap<World, Unit> recruits = new IdentityHashMap<>();
+        IdentityHashMap<World, Unit> newUnits = new IdentityHashMap<>();
         Dive dive = new Dive(world -> {
-            Unit recruit = recruits.get(world);
-            if (recruit != null) world.add(recruit);
+            Unit newUnit = newUnits.get(world);
+            if (newUnit != null) world.add(newUnit);
         });
-        for (World world : dive.worlds) recruits.put(world, new Unit(1).setPosition(1, 2));
+        for (World world : dive.worlds) newUnits.put(world, new Unit(1).setPosition(1, 2));
         run(dive);
         for (World world : dive.worlds) {
-            Unit recruit = recruits.get(world);
-            if (recruit.getWorld() != null) continue;
+            Unit newUnit = newUnits.get(world);
+            if (newUnit.getWorld() != null) continue;
             Unit other = world.add(new Unit(1));
-            recruit.setPosition(3, 4).applyForce(5, 6);
+            newUnit.setPosition(3, 4).applyForce(5, 6);
             assertEquals(0, other.getX());
             assertEquals(0, other.getFx());
             world.step();
-            assertEquals(3, recruit.getX());
+            assertEquals(3, newUnit.getX());
             long id = other.getId() + 1;
-            assertEquals(id, world.add(recruit).getId());
-            assertSame(recruit, world.find(id));
+            assertEquals(id, world.add(newUnit).getId());
+            assertSame(newUnit, world.find(id));
             assertSame(other, world.find(id - 1));
-            assertEquals(world.size() - 1, world.units().indexOf(recruit));
+            assertEquals(world.size() - 1, world.units().indexOf(newUnit));
         }
     }
 
@@ -149,6 +150,6 @@ class StackOverflowTest {
         assertNull(world.find(world.size() + 1));
         world.step();
         same.step();
-        assertEquals(same.stateHash(), world.stateHash(), "and it goes on from there");
+        assertEquals(same.stateHash(), world.stateHash(), "it continues from the snapshot");
     }
 }

@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What a player wants done. Units go by their ids: an object means nothing on another machine. */
+/** An order of a player. It names units by id, because objects have no meaning on another machine. */
 record Command(Kind kind, long unit, double x, double y) {
     enum Kind {
         MOVE,

@@ -15,15 +15,15 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 
 /**
- * A small war that follows, to the bit, from its seed and the commands of its ticks. It knows no clock, no network and
- * no thread; what it draws by lot comes from a number that is part of its state, its hash and its save.
+ * A small war that follows, to the bit, from its seed and the commands of its ticks. It uses no clock, no network and
+ * no thread. The state of its random numbers is part of its state, its hash and its saves.
  */
 final class Game {
-    private static final int RATE = 30; // steps a second, and a step a tick
+    private static final int RATE = 30; // steps per second, one step per tick
     private static final int MOST = 160; // tanks
     private static final double MAP = 500, BLAST = 60; // m
 
-    /** What the game adds to a unit, and so has to hash and to save by itself. */
+    /** A unit with values of the game, which the game itself must hash and save. */
     static final class Tank extends Unit {
         private double targetX, targetY;
         private int health = 3;
@@ -51,12 +51,12 @@ final class Game {
         return game;
     }
 
-    /** How many steps it has run. */
+    /** The number of steps that it has run. */
     long tick() {
         return world.getTick();
     }
 
-    /** Obeys the commands, in their order, and runs one step. */
+    /** Executes the commands in their order, and runs one step. */
     void run(List<Command> commands) {
         for (Command command : commands) obey(command);
         for (int i = 0; i < world.size(); i++) ((Tank) world.get(i)).drive();
@@ -64,7 +64,7 @@ final class Game {
     }
 
     private void obey(Command command) {
-        Tank tank = (Tank) world.find(command.unit()); // null if it is gone by now: on all machines, then
+        Tank tank = (Tank) world.find(command.unit()); // null if it has been removed, then on all machines
         switch (command.kind()) {
             case MOVE:
                 if (tank == null) break;
@@ -112,7 +112,7 @@ final class Game {
         return ((v ^ (v >>> 31)) >>> 11) * 0x1p-53;
     }
 
-    /** Of the world and of all that the game adds. */
+    /** The hash of the world and of the values of the game. */
     long hash() {
         long h = 31 * world.stateHash() + lot;
         for (Unit unit : world) {
@@ -124,7 +124,7 @@ final class Game {
         return h;
     }
 
-    /** The world's snapshot, and behind it what the game adds: the same bytes from whichever machine. */
+    /** The snapshot of the world and then the values of the game. The bytes are the same on every machine. */
     byte[] save() {
         byte[] bytes = world.save().toBytes();
         ByteArrayOutputStream save = new ByteArrayOutputStream();
@@ -139,12 +139,12 @@ final class Game {
                 out.writeInt(tank.health);
             }
         } catch (IOException e) {
-            throw new AssertionError(e); // memory does not fail so
+            throw new AssertionError(e); // a stream in memory does not throw this
         }
         return save.toByteArray();
     }
 
-    /** Becomes what some game was when it was saved. Its tanks that were there then stay the same objects. */
+    /** Restores the state of a saved game. Tanks that exist in both stay the same objects. */
     void load(byte[] save) throws IOException {
         world.restore(snapshot(save), id -> new Tank());
         DataInputStream in = new DataInputStream(new ByteArrayInputStream(save));
@@ -158,7 +158,7 @@ final class Game {
         }
     }
 
-    /** The world's part of a save. */
+    /** The world's snapshot in a save. */
     static Snapshot snapshot(byte[] save) {
         byte[] bytes = new byte[ByteBuffer.wrap(save).getInt()];
         ByteBuffer.wrap(save, 4, bytes.length).get(bytes);

@@ -22,12 +22,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 import yarts.physics.Unit;
 
 /**
- * Matches over loopback TCP whose lines are late and break. Every game must have the same bits at every tick, which are
- * those of the same match played without a network; and a game that has not must be found at once.
+ * Matches over loopback TCP connections with delays and failures. In every tick, all games must have the bits of the
+ * same match without a network, and a game with other bits must be detected at once.
  */
 @Timeout(120)
 class LockstepTest {
-    /** Three play from the start; two of them are away for a while, the second longer; a fourth joins late. */
+    /** Three players from the start, two of whom are away for a time, the second for longer. A fourth joins late. */
     private static final Plan MATCH = new Plan(
             7,
             4,
@@ -53,7 +53,7 @@ class LockstepTest {
             assertNull(relay.desync());
             for (Player player : players) assertEquals(alone.hash(), player.game.hash());
             int drops = players.stream().mapToInt(p -> p.drops).sum();
-            assertTrue(drops >= 20, "lines broke but " + drops + " times"); // 50 are likely
+            assertTrue(drops >= 20, "connections failed only " + drops + " times"); // 50 are likely
             int[] loads = players.stream().mapToInt(p -> p.loads).toArray();
             int[] caughtUp = players.stream().mapToInt(p -> p.caughtUp).toArray();
             assertEquals("[0, 0, 1, 1]", Arrays.toString(loads));
@@ -64,7 +64,7 @@ class LockstepTest {
     @ParameterizedTest
     @ValueSource(longs = {11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30})
     @Tag("long")
-    void allGamesAgreeOnManyBadLines(long noise) throws Exception {
+    void allGamesAgreeOverManyBadConnections(long noise) throws Exception {
         allGamesAgreeAtEveryTick(noise);
     }
 
@@ -80,7 +80,7 @@ class LockstepTest {
         return hashes;
     }
 
-    /** What goes wrong: the last bit of a value. */
+    /** The fault: the last bit of a value. */
     enum Wrong {
         X("x", Unit::getX, u -> u.setPosition(Math.nextUp(u.getX()), u.getY())),
         Y("y", Unit::getY, u -> u.setPosition(u.getX(), Math.nextUp(u.getY()))),
@@ -111,7 +111,7 @@ class LockstepTest {
 
     @ParameterizedTest
     @EnumSource
-    void aWrongBitIsFoundBeforeTheNextTickAndNamed(Wrong wrong) throws Exception {
+    void aWrongBitIsDetectedBeforeTheNextTickAndReported(Wrong wrong) throws Exception {
         int tick = 33, index = 60;
         Plan plan = new Plan(8, 3, 100, List.of());
         try (Relay relay = new Relay(plan)) {
@@ -126,19 +126,19 @@ class LockstepTest {
                     "unit " + good.getId() + " " + wrong.field + ": " + wrong.show(bad) + " | " + wrong.show(good);
             List<String> report = relay.desync().lines().toList();
             assertEquals(List.of("player 1 differs at tick " + tick + ":", line), report.subList(0, 2));
-            for (String rest : report.subList(2, report.size())) { // put elsewhere, it is drawn there, too
+            for (String rest : report.subList(2, report.size())) { // setPosition also changes the previous position
                 assertTrue(rest.startsWith("unit " + good.getId() + " previous"), rest);
                 assertTrue(wrong == Wrong.X || wrong == Wrong.Y, rest);
             }
         }
     }
 
-    /** Has everyone play a match; what is done to one player's game after its ticks is done by {@code meddle}. */
-    private static List<Player> play(Plan plan, Relay relay, long noise, int victim, Consumer<Game> meddle)
+    /** Runs a match of all players. {@code changeGame} may change one player's game after each tick. */
+    private static List<Player> play(Plan plan, Relay relay, long noise, int changed, Consumer<Game> changeGame)
             throws Exception {
         List<Player> players = new ArrayList<>();
         for (int i = 0; i < plan.players(); i++) {
-            players.add(new Player(i, plan, relay, noise, i == victim ? meddle : game -> {}));
+            players.add(new Player(i, plan, relay, noise, i == changed ? changeGame : game -> {}));
         }
         ExecutorService threads = Executors.newCachedThreadPool(work -> {
             Thread thread = new Thread(work);
@@ -147,7 +147,7 @@ class LockstepTest {
         });
         try {
             List<Future<Player>> played = threads.invokeAll(players, 90, TimeUnit.SECONDS);
-            relay.hashes(); // tells first what went wrong first
+            relay.hashes(); // throws the first failure
             for (Future<Player> player : played) player.get();
             return players;
         } finally {

@@ -5,22 +5,22 @@ import java.util.List;
 import java.util.Random;
 
 /**
- * Who plays when, and what they will order: all that decides the outcome of a match but for the game itself. The
- * network decides nothing.
+ * The players, their absences and their orders. Together with the game, these determine the outcome of a match. The
+ * network has no influence.
  *
- * @param seed of the game and of the orders
- * @param players how many, from number 0 on
- * @param ticks how many to play
- * @param absences when they are away
+ * @param seed the seed of the game and of the orders
+ * @param players the number of players, numbered from 0
+ * @param ticks the number of ticks
+ * @param absences the absences of players
  */
 record Plan(long seed, int players, int ticks, List<Absence> absences) {
-    /** Every so many ticks all send their saves. */
+    /** The number of ticks between two saves of all players. */
     static final int SAVE_EVERY = 50;
 
     /**
-     * A player's absence: from tick {@code from} to before tick {@code to} the others play on without orders of theirs.
-     * The line is up again when the others have come to tick {@code dials}, and there is much to catch up with. From
-     * tick 0, it is a player who joins late, and has nothing.
+     * A player's absence. From tick {@code from} to before tick {@code to}, the others play without orders of this
+     * player. The player connects again when the others have reached tick {@code dials}, and must catch up. An absence
+     * from tick 0 is a player who joins late, without a game.
      */
     record Absence(int player, int from, int dials, int to) {}
 
@@ -28,7 +28,7 @@ record Plan(long seed, int players, int ticks, List<Absence> absences) {
         return absences.stream().anyMatch(a -> a.player == player && a.from <= tick && tick < a.to);
     }
 
-    /** What a player orders, who sees the game as it stands before its next tick. */
+    /** The orders of a player, who sees the game before its next tick. */
     List<Command> orders(int player, Game game) {
         List<Command> orders = new ArrayList<>();
         if (isAway(player, game.tick())) return orders;

@@ -9,7 +9,9 @@ import java.util.Random;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 
-/** One machine: a game, and a bad line to the relay, which is late at random, and breaks anywhere in a message. */
+/**
+ * One machine: a game, and a bad connection to the relay, with random delays and failures in the middle of messages.
+ */
 final class Player implements Callable<Player> {
     private final int number;
     private final Plan plan;
@@ -25,10 +27,10 @@ final class Player implements Callable<Player> {
      * A player.
      *
      * @param number the player's number in the plan
-     * @param plan who plays when
+     * @param plan the plan of the match
      * @param relay the host
-     * @param noise seeds what is wrong with the line
-     * @param afterTick looks at the game after every tick
+     * @param noise the seed of the faults of the connection
+     * @param afterTick is called with the game after every tick
      */
     Player(int number, Plan plan, Relay relay, long noise, Consumer<Game> afterTick) {
         this.number = number;
@@ -43,7 +45,7 @@ final class Player implements Callable<Player> {
         return game == null ? -1 : game.tick();
     }
 
-    /** Plays the match to its end. */
+    /** Plays the match until its end. */
     @Override
     public Player call() throws Exception {
         try {
@@ -75,7 +77,7 @@ final class Player implements Callable<Player> {
         return new Request(number, tick(), game.hash(), plan.orders(number, game), save).toBytes();
     }
 
-    /** Whether the match goes on. */
+    /** {@return whether the match continues} */
     private boolean follow(Reply reply) throws IOException {
         switch (reply.kind()) {
             case RUN:
@@ -95,7 +97,9 @@ final class Player implements Callable<Player> {
         }
     }
 
-    /** Sends a request until there is a reply. When the line breaks, none, some or all of the request has gone. */
+    /**
+     * Sends a request until there is a reply. If the connection fails, none, some or all of the request has been sent.
+     */
     private Reply ask(byte[] request) throws IOException, InterruptedException {
         for (int attempt = 1; ; attempt++) {
             try {

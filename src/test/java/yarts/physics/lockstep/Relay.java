@@ -19,18 +19,19 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Collects every player's orders for a tick, compares the hashes of their games, and only then hands out the orders of
- * all. It keeps the latest save and the ticks since, for those who were away; it does not know the game's rules.
+ * Collects every player's orders for a tick, compares the hashes of their games, and then sends the orders to all
+ * players. It keeps the latest save and the ticks since then for players who were away. It does not know the rules of
+ * the game.
  */
 final class Relay implements AutoCloseable {
-    /** Nothing waits longer; in ms. */
+    /** The longest wait; in ms. */
     static final int PATIENCE = 20_000;
 
     private final Plan plan;
-    private final ServerSocket door = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
-    /** The requests for the present tick, by player. */
+    private final ServerSocket server = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
+    /** The requests for the current tick, by player. */
     private final Map<Integer, Request> present = new TreeMap<>();
-    /** The hashes that all agreed on, from tick 0 on. */
+    /** The common hashes of all players, from tick 0 on. */
     private final List<Long> hashes = new ArrayList<>();
     /** The ticks since the save. */
     private final List<Reply> log = new ArrayList<>();
@@ -44,7 +45,7 @@ final class Relay implements AutoCloseable {
         this.plan = plan;
         daemon(() -> {
             while (true) {
-                Socket line = door.accept();
+                Socket line = server.accept();
                 daemon(() -> serve(line));
             }
         });
@@ -59,7 +60,7 @@ final class Relay implements AutoCloseable {
             try {
                 work.run();
             } catch (IOException e) {
-                // A line is down, or the door is closed: whoever is still playing calls again.
+                // A connection failed, or the server is closed. A player who still plays connects again.
             } catch (Throwable e) {
                 fail(e);
             }
@@ -69,7 +70,7 @@ final class Relay implements AutoCloseable {
     }
 
     Socket connect() throws IOException {
-        return new Socket(door.getInetAddress(), door.getLocalPort());
+        return new Socket(server.getInetAddress(), server.getLocalPort());
     }
 
     private void serve(Socket line) throws Exception {
@@ -98,10 +99,11 @@ final class Relay implements AutoCloseable {
         }
     }
 
-    @SuppressWarnings("WaitNotInLoop") // whoever calls this does so in a loop
+    @SuppressWarnings("WaitNotInLoop") // the caller waits in a loop
     private void await(long deadline) throws InterruptedException {
         long left = (deadline - System.nanoTime()) / 1_000_000;
-        if (left <= 0) throw new IllegalStateException("at tick " + tick() + " there are only " + present.keySet());
+        if (left <= 0)
+            throw new IllegalStateException("at tick " + tick() + " only these have sent: " + present.keySet());
         wait(left);
     }
 
@@ -137,7 +139,7 @@ final class Relay implements AutoCloseable {
         present.clear();
     }
 
-    /** Who is alone with their hash, and in what they differ from the others. */
+    /** The player whose hash differs, and the differences of that player's world from the others'. */
     private String report() {
         Collection<Request> all = present.values();
         Comparator<Request> byCamp = Comparator.comparing(
@@ -163,7 +165,7 @@ final class Relay implements AutoCloseable {
         return hashes.size();
     }
 
-    /** Returns once the tick that is being collected is this one or later, or the match is over. */
+    /** Waits until the relay collects this tick or a later one, or the match is over. */
     synchronized void await(int tick) throws InterruptedException {
         long deadline = System.nanoTime() + PATIENCE * 1_000_000L;
         while (tick() < tick && failure == null && desync == null) await(deadline);
@@ -174,7 +176,7 @@ final class Relay implements AutoCloseable {
         return desync;
     }
 
-    /** {@return the hash of each tick that all agreed on} */
+    /** {@return the common hash of each tick} */
     synchronized List<Long> hashes() {
         if (failure != null) throw new AssertionError(failure);
         return List.copyOf(hashes);
@@ -182,6 +184,6 @@ final class Relay implements AutoCloseable {
 
     @Override
     public void close() throws IOException {
-        door.close();
+        server.close();
     }
 }

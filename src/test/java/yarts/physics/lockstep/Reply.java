@@ -4,14 +4,14 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 
-/** What the relay answers. */
+/** An answer of the relay. */
 record Reply(Kind kind, byte[] body) {
     enum Kind {
-        /** Here are the commands of the tick. */
+        /** The commands of the tick. */
         RUN,
-        /** That tick is too long ago: here is a save to go on from. */
+        /** The tick is too old; a save from which to continue. */
         LOAD,
-        /** The hashes differ: ask again, with your save. */
+        /** The hashes differ; the player must send the request again with a save. */
         SHOW,
         /** The match is over. */
         END

@@ -7,13 +7,13 @@ import java.io.IOException;
 import java.util.List;
 
 /**
- * What a player sends for each tick. It says all that the relay needs to know, so that it can be sent again on another
- * connection.
+ * The message that a player sends for each tick. It has all information for the relay, so it can be sent again on
+ * another connection.
  *
  * @param player the sender's number
- * @param tick where the sender's game stands; −1 if there is none yet
+ * @param tick the tick of the sender's game; −1 if there is no game yet
  * @param hash the hash of that game
- * @param orders for the tick that comes next
+ * @param orders the orders for the next tick
  * @param save the game's save, or empty
  */
 record Request(int player, long tick, long hash, List<Command> orders, byte[] save) {

@@ -15,57 +15,59 @@ import yarts.physics.Tiles;
 import yarts.physics.metamorphic.Play.Layout;
 
 /**
- * A game played again, with something changed that must not matter, leads to the same bits: it needs no other rule for what
- * is right than that. Where the change is a mirror or a measure, to the same bits in the mirror and in the measure.
+ * A game that is played again with an irrelevant change has the same bits. If the change is a mirror or another
+ * measure, it has the same bits in the mirror or in that measure. No other reference is necessary.
  */
 class MetamorphicPropertyTest {
     private static final int FRAMES = 30;
 
-    private static void same(
+    private static void assertSame(
             long seed, Integrator integrator, boolean fixed, View view, Layout layout, Layout other, int frames) {
         Play play = new Play(seed, integrator, fixed, SAME, layout);
         Play changed = new Play(seed, integrator, fixed, view, other);
-        play.assertSeen(changed, "at the start");
+        play.assertEqualInView(changed, "at the start");
         for (int i = 0; i < frames; i++) {
             play.frame();
             changed.frame();
-            play.assertSeen(changed, "frame " + i);
+            play.assertEqualInView(changed, "frame " + i);
         }
     }
 
-    /** A handful of units, or more than a block's. */
+    /** A few units, or more than a tile has. */
     private static Layout plain(long seed) {
         return Layout.plain(seed % 4 == 0 ? Tiles.TILE + 10 : 20);
     }
 
-    private static void seen(long seed, Integrator integrator, boolean fixed, View view) {
-        same(seed, integrator, fixed, view, plain(seed), plain(seed), FRAMES);
+    private static void assertSameInView(long seed, Integrator integrator, boolean fixed, View view) {
+        assertSame(seed, integrator, fixed, view, plain(seed), plain(seed), FRAMES);
     }
 
-    private static void laidOut(long seed, Integrator integrator, boolean fixed, Layout other) {
-        same(seed, integrator, fixed, SAME, Layout.plain(other.order().length), other, FRAMES);
-    }
-
-    @Property(tries = 100)
-    void axesSwapped(@ForAll long seed, @ForAll Integrator integrator, @ForAll boolean fixed) {
-        seen(seed, integrator, fixed, new View(true, 1, 1, 1, 1, 1));
+    private static void assertSameWithLayout(long seed, Integrator integrator, boolean fixed, Layout other) {
+        assertSame(seed, integrator, fixed, SAME, Layout.plain(other.order().length), other, FRAMES);
     }
 
     @Property(tries = 100)
-    void mirrored(@ForAll long seed, @ForAll Integrator integrator, @ForAll boolean fixed, @ForAll boolean both) {
-        seen(seed, integrator, fixed, new View(false, both ? -1 : 1, -1, 1, 1, 1));
+    void aGameWithSwappedAxesHasTheSameBits(@ForAll long seed, @ForAll Integrator integrator, @ForAll boolean fixed) {
+        assertSameInView(seed, integrator, fixed, new View(true, 1, 1, 1, 1, 1));
     }
 
-    /** Time is scaled with variable steps only: a second of fixed ones has a whole number of steps. */
+    @Property(tries = 100)
+    void aMirroredGameHasTheSameBits(
+            @ForAll long seed, @ForAll Integrator integrator, @ForAll boolean fixed, @ForAll boolean both) {
+        assertSameInView(seed, integrator, fixed, new View(false, both ? -1 : 1, -1, 1, 1, 1));
+    }
+
+    /** Time is scaled only with variable steps: a second has a whole number of fixed ones. */
     @Property(tries = 200)
-    void scaledByPowersOfTwo(
+    void aGameInMeasuresScaledByPowersOfTwoHasTheSameBits(
             @ForAll long seed,
             @ForAll Integrator integrator,
             @ForAll boolean fixed,
             @ForAll @IntRange(min = -20, max = 20) int length,
             @ForAll @IntRange(min = -20, max = 20) int mass,
             @ForAll @IntRange(min = -9, max = 20) int time) {
-        seen(seed, integrator, fixed, new View(false, 1, 1, power(length), power(mass), fixed ? 1 : power(time)));
+        assertSameInView(
+                seed, integrator, fixed, new View(false, 1, 1, power(length), power(mass), fixed ? 1 : power(time)));
     }
 
     private static double power(int exponent) {
@@ -73,10 +75,11 @@ class MetamorphicPropertyTest {
     }
 
     @Property(tries = 100)
-    void inAnotherOrder(@ForAll long seed, @ForAll Integrator integrator, @ForAll boolean fixed) {
+    void aGameInAnotherOrderOfUnitsHasTheSameBits(
+            @ForAll long seed, @ForAll Integrator integrator, @ForAll boolean fixed) {
         Integer[] order = Arrays.stream(plain(seed).order()).boxed().toArray(Integer[]::new);
         Collections.shuffle(Arrays.asList(order), new Random(seed));
-        laidOut(seed, integrator, fixed, new Layout(ints(List.of(order)), 1, 0, null));
+        assertSameWithLayout(seed, integrator, fixed, new Layout(ints(List.of(order)), 1, 0, null));
     }
 
     private static int[] ints(List<Integer> list) {
@@ -84,31 +87,31 @@ class MetamorphicPropertyTest {
     }
 
     @Property(tries = 100)
-    void inSeveralWorlds(
+    void aGameInSeveralWorldsHasTheSameBits(
             @ForAll long seed,
             @ForAll Integrator integrator,
             @ForAll boolean fixed,
             @ForAll @IntRange(min = 2, max = 5) int worlds) {
-        laidOut(seed, integrator, fixed, new Layout(plain(seed).order(), worlds, 0, null));
+        assertSameWithLayout(seed, integrator, fixed, new Layout(plain(seed).order(), worlds, 0, null));
     }
 
-    /** As many that sleep after each as leave one in a block, or some blocks between one and the next, or a few. */
+    /** Between the units of the game are so many units at rest that each tile has several of the game, one, or none. */
     @Property(tries = 30)
-    void amongSleepers(@ForAll long seed, @ForAll Integrator integrator, @ForAll boolean fixed) {
+    void aGameAmongUnitsAtRestHasTheSameBits(@ForAll long seed, @ForAll Integrator integrator, @ForAll boolean fixed) {
         int[] order = Layout.plain(12).order();
         for (int sleepers : new int[] {1, Tiles.TILE, 2 * Tiles.TILE - 1}) {
-            laidOut(seed, integrator, fixed, new Layout(order, 1, sleepers, null));
+            assertSameWithLayout(seed, integrator, fixed, new Layout(order, 1, sleepers, null));
         }
     }
 
-    /** Three slices, the last of them short of a block. */
+    /** Work for three threads, with an incomplete last tile. */
     @Property(tries = 4)
-    void onSeveralThreads(@ForAll long seed, @ForAll Integrator integrator, @ForAll boolean fixed) {
+    void aGameOnSeveralThreadsHasTheSameBits(@ForAll long seed, @ForAll Integrator integrator, @ForAll boolean fixed) {
         int units = 3 * Tiles.SHARE + 100;
         ForkJoinPool pool = new ForkJoinPool(3);
         try {
             Layout plain = Layout.plain(units);
-            same(seed, integrator, fixed, SAME, plain, new Layout(plain.order(), 1, 0, pool), 6);
+            assertSame(seed, integrator, fixed, SAME, plain, new Layout(plain.order(), 1, 0, pool), 6);
         } finally {
             pool.shutdown();
         }

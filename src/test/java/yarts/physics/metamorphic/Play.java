@@ -12,9 +12,11 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** A game drawn from a seed, played as a {@link View} has it, by units laid out over worlds in one way or another. */
+/** A game drawn from a seed, played in a {@link View}, with a {@link Layout} of its units. */
 final class Play {
-    /** How units are laid out: the order in which they are added, over how many worlds, and who threads and fillers are. */
+    /**
+     * The order in which units are added, the number of worlds, the number of units at rest between them, and the pool.
+     */
     record Layout(int[] order, int worlds, int sleepers, ForkJoinPool pool) {
         static Layout plain(int units) {
             int[] order = new int[units];
@@ -49,7 +51,7 @@ final class Play {
         }
     }
 
-    /** Nobody gives it an order. It may have a brake, which has nothing to do. */
+    /** A unit at rest that gets no orders. It may have a brake, which has no effect. */
     private static final class Sleeper extends Unit {
         Sleeper(boolean braked) {
             super(3);
@@ -74,7 +76,7 @@ final class Play {
         unit.setVelocity(view.x(vx, vy, view.speed()), view.y(vx, vy, view.speed()));
     }
 
-    /** Some are drawn back to where x and y begin, as by springs. */
+    /** Springs pull some units to the origin. */
     private void steer(World world) {
         double spring = -8 * view.mass() / view.time() / view.time();
         for (Unit unit : world) {
@@ -82,7 +84,7 @@ final class Play {
         }
     }
 
-    /** A frame: orders to some units, and time that passes. */
+    /** A frame: orders to some units, and an advance. */
     void frame() {
         int orders = random.nextInt(3) == 0 ? 0 : 1 + random.nextInt(1 + units.length / 8);
         for (; orders > 0; orders--) order(units[random.nextInt(units.length)]);
@@ -107,7 +109,7 @@ final class Play {
             case 5 -> unit.setMaxSpeed(Math.abs(a) * view.speed());
             case 6 -> unit.setFrozen(a > 0);
             case 7 -> unit.clearForces();
-            case 8 -> { // leaves its world and comes back, as the last
+            case 8 -> { // leaves its world and joins again as the last
                 World world = unit.getWorld();
                 world.remove(unit);
                 world.add(unit);
@@ -121,16 +123,16 @@ final class Play {
         }
     }
 
-    /** Uniform in the logarithm, nearly. */
+    /** Nearly uniform in the logarithm. */
     private double number(double min, double max) {
         return min * Math.pow(max / min, random.nextDouble());
     }
 
-    /** Asserts that every unit of another play is what that play's view makes of this one's. */
-    void assertSeen(Play other, String when) {
+    /** Asserts that every unit of another play has the state of this one's in the view of the other. */
+    void assertEqualInView(Play other, String when) {
         for (int i = 0; i < units.length; i++) {
             int unit = i;
-            assertArrayEquals(view.see(units[i]), other.view.see(other.units[i]), () -> "unit " + unit + ", " + when);
+            assertArrayEquals(view.bits(units[i]), other.view.bits(other.units[i]), () -> "unit " + unit + ", " + when);
         }
     }
 }

@@ -3,8 +3,8 @@ package yarts.physics.metamorphic;
 import yarts.physics.Unit;
 
 /**
- * A way to look at a game from elsewhere: axes swapped, mirrored, in other units of length, mass and time. The measures
- * are powers of two, with which doubles are multiplied without error; so what is seen must be the same to the bit.
+ * A transformation of a game: swapped axes, mirrors, other measures of length, mass and time. The measures are powers
+ * of two, by which doubles are multiplied without error; so the transformed values must be the same to the bit.
  */
 record View(boolean swapped, int signX, int signY, double length, double mass, double time) {
     static final View SAME = new View(false, 1, 1, 1, 1, 1);
@@ -25,7 +25,7 @@ record View(boolean swapped, int signX, int signY, double length, double mass, d
         return mass / time;
     }
 
-    /** The x component here of a vector (x, y) there. */
+    /** The x component in this view of a vector (x, y). */
     double x(double x, double y, double measure) {
         return (swapped ? y : x) * signX * measure;
     }
@@ -34,8 +34,8 @@ record View(boolean swapped, int signX, int signY, double length, double mass, d
         return (swapped ? x : y) * signY * measure;
     }
 
-    /** All that is known of a unit here as the bits that it has there. */
-    long[] see(Unit unit) {
+    /** All values of a unit in this view, as the bits that they have without it. */
+    long[] bits(Unit unit) {
         double[][] vectors = {
             {unit.getX(), unit.getY(), length},
             {unit.getVx(), unit.getVy(), speed()},
@@ -55,7 +55,9 @@ record View(boolean swapped, int signX, int signY, double length, double mass, d
         return bits;
     }
 
-    /** A mirror makes −0.0 of 0.0. What is on its way to rest has no scale: it gets there by a speed of the library's own. */
+    /**
+     * A mirror turns 0.0 into −0.0. A velocity below rest does not scale: the threshold is the same in all measures.
+     */
     private static long bits(double v) {
         return Math.abs(v) < 0x1p-400 ? 0 : Double.doubleToRawLongBits(v);
     }

@@ -17,26 +17,26 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 
 /**
- * A world leaves out what would change nothing: block by block, the cap and the forces where nothing pushes, and all where
- * nothing moves either. Its units move as they do alone, to the bit, where a step leaves nothing out.
+ * A step omits work that would change nothing: in a tile without forces, the cap and the forces; in a tile in which no
+ * unit moves either, everything. Units move in a world as they move alone, to the bit, where a step omits nothing.
  */
 class CoastPropertyTest {
     private static final double CALM = Range.REST * 0x1p60;
 
-    /** Of a mass of 1, this friction takes all velocity in a step of any length that is played here, but 0. */
+    /** In a step of any length that this test uses, except 0, this friction stops a mass of 1. */
     private static final double BRAKE = 1e9;
 
     private static final double FRAME = 0.05; // s: three steps, exactly
 
     @Property(tries = 150)
-    void pushedOrLeftAloneOrWokenEachMovesAsAlone(@ForAll Integrator integrator, @ForAll long seed) {
+    void unitsInPushedCoastingAndSleepingTilesMoveAsAlone(@ForAll Integrator integrator, @ForAll long seed) {
         Random random = new Random(seed);
-        int blocks = 1 + random.nextInt(3);
-        play(new Coast(integrator, random, blocks * Tiles.TILE - 20 + random.nextInt(40)), 60);
+        int tiles = 1 + random.nextInt(3);
+        play(new Coast(integrator, random, tiles * Tiles.TILE - 20 + random.nextInt(40)), 60);
     }
 
     @Property(tries = 8)
-    void soItIsAboutTheEndOfArraysThatBlocksShare(@ForAll Integrator integrator, @ForAll long seed) {
+    void unitsInTheLastRowsOfATableMoveAsAlone(@ForAll Integrator integrator, @ForAll long seed) {
         Random random = new Random(seed);
         play(new Coast(integrator, random, 3 * Tiles.TILE - 2 + random.nextInt(5)), 40);
         play(new Coast(integrator, random, 4 * Tiles.TILE - 2 + random.nextInt(5)), 40);
@@ -48,7 +48,7 @@ class CoastPropertyTest {
         for (int i = 0; i < steps; i++) {
             if (random.nextInt(20) == 0) dt = new double[] {1, 0.5 + random.nextDouble(), 0}[random.nextInt(3)];
             for (int orders = random.nextInt(3); orders > 0 && i % 8 > 4; orders--) coast.order(random.nextInt(17));
-            if (i % 3 != 2) coast.push(); // and now and then nobody does
+            if (i % 3 != 2) coast.push(); // no forces in every third step
             if (random.nextInt(6) == 0) coast.frame();
             else coast.step(dt);
         }
@@ -76,9 +76,9 @@ class CoastPropertyTest {
         return integrator == Integrator.MIDPOINT ? 2 * (1 - decay) / (1 + decay) : -Math.log(decay);
     }
 
-    /** Coasting leaves the cap out: a speed that was cut must not be over the cap still. */
+    /** A step of a coasting tile omits the cap: a speed that was reduced must not exceed the cap afterwards. */
     @Property(tries = 20)
-    void atTopSpeedItMovesAsAlone(@ForAll Integrator integrator, @ForAll long seed) {
+    void unitsAtTheirTopSpeedMoveAsAlone(@ForAll Integrator integrator, @ForAll long seed) {
         Random random = new Random(seed);
         Coast coast = new Coast(integrator, random, Tiles.TILE + 44);
         for (Twin twin : coast.twins) {
@@ -88,12 +88,12 @@ class CoastPropertyTest {
         for (int i = 0; i < 30; i++) coast.step(1);
     }
 
-    /** A unit in a world, and one like it that lives alone. */
+    /** A unit in a world, and an equal one outside a world. */
     private static final class Twin {
         Unit unit, alone;
-        /** The force that was applied to both, which the one alone is given again for each step of a frame. */
+        /** The force that was applied to both. It is applied to the unit outside again for each step of a frame. */
         double fx, fy;
-        /** Where the last step began. */
+        /** The position before the last step. */
         double previousX, previousY;
 
         Twin(Unit unit, Unit alone) {
@@ -154,7 +154,7 @@ class CoastPropertyTest {
             }
         }
 
-        /** Its like, alone, for the same past. */
+        /** The same unit of the world, with a copy of the unit outside. */
         Twin copy() {
             Twin copy = new Twin(unit, Copies.of(alone));
             copy.previousX = previousX;
@@ -163,7 +163,7 @@ class CoastPropertyTest {
         }
     }
 
-    /** A world and its units' twins, in its order. */
+    /** A world, and the twins of its units in the same order. */
     private static final class Coast {
         private final Integrator integrator;
         private final Random random;
@@ -172,7 +172,10 @@ class CoastPropertyTest {
         private final Snapshot snapshot = new Snapshot();
         private List<Twin> saved;
 
-        /** In each block all are at rest, or one moves, or some do, or all; and in some all brake, and so rest again soon. */
+        /**
+         * In each tile no unit moves, or one, some or all do. In some tiles all units brake, and are soon at rest
+         * again.
+         */
         Coast(Integrator integrator, Random random, int units) {
             this.integrator = integrator;
             this.random = random;
@@ -214,7 +217,7 @@ class CoastPropertyTest {
             return copies;
         }
 
-        /** Pushes nobody, one, two or all, in each block as chance has it; or all at once, some by nothing. */
+        /** Pushes no unit, one, two or all of each tile, at random; or all units in one call, some of them with 0 N. */
         void push() {
             if (random.nextInt(12) == 0) {
                 pushAll();
@@ -243,7 +246,7 @@ class CoastPropertyTest {
             world.applyForces(xy, 0);
         }
 
-        /** Does one of the things after which a block has to look again. */
+        /** Makes one of the changes that may wake a tile or change its coefficients. */
         void order(int way) {
             if (twins.isEmpty()) return;
             int i = random.nextInt(5) == 0 ? twins.size() - 1 : random.nextInt(twins.size());
@@ -282,7 +285,7 @@ class CoastPropertyTest {
                 case 10:
                     add(random.nextBoolean());
                     break;
-                case 11: // comes back as the last
+                case 11: // removed, and added again as the last
                     remove(i);
                     world.add(twin.unit);
                     twin.settle();
@@ -303,7 +306,7 @@ class CoastPropertyTest {
                     twin.change(u -> u.integrate(1, integrator));
                     twin.settle();
                     break;
-                default: // a block brakes, and is asleep in the step after
+                default: // a tile brakes, and sleeps in the next step
                     int start = i / Tiles.TILE * Tiles.TILE;
                     for (int k = start; k < Math.min(twins.size(), start + Tiles.TILE); k++) {
                         twins.get(k).change(u -> u.setMass(1).setFriction(BRAKE));
@@ -311,14 +314,14 @@ class CoastPropertyTest {
             }
         }
 
-        /** The last fills the gap, from another block if there are several. */
+        /** The last unit takes the row, from another tile if there are several. */
         private void remove(int i) {
             world.remove(twins.get(i).unit);
             Twin last = twins.remove(twins.size() - 1);
             if (i < twins.size()) twins.set(i, last);
         }
 
-        /** As if sent to another machine. */
+        /** Restores the world from bytes, as on another machine. */
         private void moveByBytes() {
             byte[] bytes = world.save().toBytes();
             world = new World();

@@ -19,9 +19,9 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Doubles;
 
-/** Momentum is what was pushed, and friction only takes energy. */
+/** The momentum is the sum of all impulses, and friction only removes energy. */
 class ConservationPropertyTest {
-    /** A kick, a force, and for how many 64ths of a second it acts. */
+    /** An impulse, a force, and the number of 64ths of a second for which the force acts. */
     record Push(int kick, int force, int time) {
         double seconds() {
             return time / 64.0;
@@ -39,7 +39,7 @@ class ConservationPropertyTest {
                 .as(Push::new);
     }
 
-    /** Whole numbers and powers of two: nothing is rounded, and so nothing is excused. */
+    /** Only integers and powers of two: nothing is rounded, so the result must be exact. */
     @Property
     void withoutFrictionMomentumChangesByExactlyTheImpulse(
             @ForAll @Size(min = 1, max = 60) List<@From("pushes") Push> pushes,
@@ -59,9 +59,9 @@ class ConservationPropertyTest {
         }
     }
 
-    /** However frames turn into steps, what has not acted yet is pending; only rounding comes in between. */
+    /** At any frame rate, an impulse has either acted or is pending, within rounding. */
     @Property
-    void overFramesMomentumAndWhatIsPendingAreTheImpulse(
+    void momentumAndPendingImpulseAreTheAppliedImpulse(
             @ForAll @Size(min = 1, max = 60) List<@From("pushes") Push> pushes,
             @ForAll Integrator integrator,
             @ForAll("masses") double mass,
@@ -82,7 +82,7 @@ class ConservationPropertyTest {
         }
     }
 
-    /** Of each component, and so of both: to the bit, at any stiffness, whatever the step. */
+    /** Neither in total nor in a component, to the bit, at any stiffness and any dt. */
     @Property
     void frictionAloneNeverAddsEnergy(
             @ForAll Integrator integrator,
@@ -108,8 +108,8 @@ class ConservationPropertyTest {
 
     /**
      * The energy that a unit gains under a force is at most the work of that force, F Δx: friction's own work is never
-     * positive. EULER is left out, as it moves by the old velocity; and MIDPOINT past z = 2, where it goes straight to the
-     * terminal speed.
+     * positive. This does not hold for EULER and SEMI_IMPLICIT, which move by one of the two velocities, nor for
+     * MIDPOINT above z = 2, where a step reaches the terminal speed.
      */
     @Property
     void withFrictionAUnitGainsNoMoreThanTheWorkOfTheForce(

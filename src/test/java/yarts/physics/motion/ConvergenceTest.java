@@ -11,7 +11,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 import yarts.physics.Integrator;
 import yarts.physics.Unit;
 
-/** Halving the step must halve the error of EULER, quarter that of MIDPOINT, and change nothing for EXACT. */
+/**
+ * A step of half the length halves the error of EULER, divides that of MIDPOINT by four, and has no effect on EXACT.
+ */
 class ConvergenceTest {
     /** m dv/dt = F − f v from x(0) = 0, v(0) = v0, and its closed form at time t. */
     private record Problem(double mass, double friction, double force, double v0, double t) {

@@ -16,17 +16,17 @@ import yarts.physics.Integrator;
 import yarts.physics.Unit;
 import yarts.physics.support.Doubles;
 
-/** EXACT against the closed form, worked out to 60 digits and more. */
+/** Compares EXACT with the closed form, computed to 60 digits and more. */
 class ExactPropertyTest {
-    /** 60 digits, and as many as the difference of 1 − e^−z may lose. */
+    /** 60 digits, and the number of digits that 1 − e^−z can lose. */
     private static final MathContext DIGITS = new MathContext(80);
 
     @Provide
     Arbitrary<Double> stiffness() {
         return Arbitraries.oneOf(
                 Doubles.logUniform(1e-20, 1e6),
-                Doubles.logUniform(0.5, 2), // about the threshold of the series
-                Doubles.logUniform(600, 800), // where e^−z runs out
+                Doubles.logUniform(0.5, 2), // around the threshold of the series
+                Doubles.logUniform(600, 800), // where e^−z becomes 0
                 Arbitraries.of(0.0, Double.MIN_VALUE, Math.nextDown(1.0), 1.0, 1e6));
     }
 
@@ -42,8 +42,8 @@ class ExactPropertyTest {
     }
 
     /**
-     * With z rounded, its error dz comes back as a factor e^−dz, which is dz/z·z: at z = 100 the last two digits of
-     * e^−z are lost in z already.
+     * The rounding error dz of z causes the factor e^−dz, a relative error of dz: at z = 100, the last two digits of
+     * e^−z depend on it.
      */
     @Property(tries = 2000)
     void withAnyMassAndDtTheRoundingOfZAddsNoMoreThanZUlp(
@@ -74,7 +74,7 @@ class ExactPropertyTest {
         assertUlps(coasted, carried, unit.getX(), ulps, "displacement");
     }
 
-    /** (1 − e^−z)/z, or its series 1 − z/2 + z²/6 − z³/24 where z is tiny. */
+    /** (1 − e^−z)/z, or for a very small z its series 1 − z/2 + z²/6 − z³/24. */
     private static BigDecimal gain(BigDecimal z, BigDecimal decay) {
         if (z.compareTo(big(1e-15)) > 0) return BigDecimal.ONE.subtract(decay).divide(z, DIGITS);
         return BigDecimal.ONE
@@ -95,7 +95,7 @@ class ExactPropertyTest {
         return x.compareTo(big(-3000)) < 0 ? BigDecimal.ZERO : BigDecimalMath.exp(x, DIGITS);
     }
 
-    /** The error in ulp of the larger of the two terms, so that two which cancel are not judged by what is left. */
+    /** Measures the error in ulp of the larger of the two terms, because their sum may cancel. */
     private static void assertUlps(BigDecimal a, BigDecimal b, double actual, double ulps, String what) {
         BigDecimal expected = a.add(b);
         double scale = Math.max(
@@ -110,7 +110,7 @@ class ExactPropertyTest {
     }
 
     @Property
-    void nStepsOfAnNthAgreeWithOne(
+    void nStepsOfDtOverNAgreeWithOneStepOfDt(
             @ForAll("stiffness") double z,
             @ForAll("sizes") double v,
             @ForAll("sizes") double force,

@@ -19,7 +19,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** A frozen unit stays as it is, whatever pushes, until it is let go; and then it is as if nothing had pushed. */
+/** Forces and impulses do not change a frozen unit, and have no effect after its release either. */
 class FrozenTest {
     private final World world = new World(Integrator.EULER, Timestep.fixed(10).withMaxSteps(3));
     private final Unit unit = world.add(new Unit(2).setPosition(1, 2).setVelocity(3, -4));
@@ -41,7 +41,7 @@ class FrozenTest {
 
     @ParameterizedTest
     @EnumSource
-    void itStaysAsItIsInEveryKindOfStep(Integrator integrator) {
+    void aFrozenUnitKeepsItsStateInEveryKindOfStep(Integrator integrator) {
         for (Timestep timestep : new Timestep[] {Timestep.fixed(10), Timestep.variable(0.1)}) {
             world.setTimestep(timestep);
             world.setIntegrator(integrator);
@@ -69,10 +69,10 @@ class FrozenTest {
         assertNotEquals(0, other.getX());
     }
 
-    /** To the bit what it would have been if the time had not passed. */
+    /** To the bit as if the time had not passed. */
     @ParameterizedTest
     @EnumSource
-    void letGoItGoesOnWithItsVelocity(Integrator integrator) {
+    void aReleasedUnitContinuesWithItsVelocity(Integrator integrator) {
         world.setIntegrator(integrator);
         Unit alone = new Unit(2).setPosition(1, 2).setVelocity(3, -4).setFriction(0.7);
         unit.setFriction(0.7).setFrozen(true);
@@ -95,7 +95,7 @@ class FrozenTest {
     }
 
     @Test
-    void aForceFromBeforeItWasFrozenIsForgotten() {
+    void freezingDiscardsAForceThatHasNotActed() {
         unit.applyForce(100, 100);
         world.advance(0.05);
         unit.applyForce(100, 100);
@@ -107,7 +107,7 @@ class FrozenTest {
     }
 
     @Test
-    void aForceWhileItIsFrozenDoesNotActLater() {
+    void aForceOnAFrozenUnitDoesNotActAfterItsRelease() {
         unit.setFrozen(true);
         unit.applyForce(100, 100);
         world.advance(0.05); // no step
@@ -121,7 +121,7 @@ class FrozenTest {
     }
 
     @Test
-    void toFreezeOrLetGoAgainChangesNothing() {
+    void aRepeatedFreezeOrReleaseChangesNothing() {
         unit.applyForce(10, 0);
         unit.setFrozen(false);
         assertEquals(10, unit.getFx());
@@ -130,7 +130,7 @@ class FrozenTest {
     }
 
     @Test
-    void itsVelocityAndPlaceCanBeSet() {
+    void velocityAndPositionOfAFrozenUnitCanBeSet() {
         unit.setFrozen(true).setVelocity(30, 40).setMaxSpeed(5).setPosition(7, 8);
         world.step(1);
         assertEquals(7, unit.getX());
@@ -141,9 +141,9 @@ class FrozenTest {
         assertEquals(12, unit.getY(), 1e-14);
     }
 
-    /** It moved before it was frozen: what is drawn runs to where it is, and then stays. */
+    /** The unit moved before it was frozen: the interpolated position reaches its position, and then stays. */
     @Test
-    void whatIsDrawnComesToRest() {
+    void theInterpolatedPositionComesToRest() {
         world.advance(0.15);
         unit.setFrozen(true);
         assertEquals(1.15, unit.getInterpolatedX(), 1e-15);
@@ -155,7 +155,7 @@ class FrozenTest {
         assertEquals(unit.getY(), xy[1]);
     }
 
-    /** What a listener does before the second step of a frame of three, or after the first. */
+    /** Runs an order in a listener before the second step of a frame of three, or after the first. */
     private void between(boolean after, Runnable order) {
         StepListener listener = (w, dt) -> {
             if (w.getTick() == 1) order.run();
@@ -167,14 +167,14 @@ class FrozenTest {
 
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
-    void frozenInTheMiddleOfAFrameItTakesTheStepsBefore(boolean after) {
+    void aUnitFrozenDuringAFrameMovesOnlyInTheStepsBefore(boolean after) {
         unit.applyForce(20, 0);
         other.applyForce(20, 0);
         between(after, () -> unit.setFrozen(true));
         assertEquals(1.3, unit.getX(), 1e-15);
         assertEquals(4, unit.getVx(), 1e-14);
         assertNoForces(unit);
-        assertEquals(6, other.getVx(), 1e-14, "the frame's force acts on the other in all");
+        assertEquals(6, other.getVx(), 1e-14, "the force acts on the other unit in all steps of the frame");
         unit.setFrozen(false);
         world.advance(0.1);
         assertEquals(4, unit.getVx(), 1e-14);
@@ -182,7 +182,7 @@ class FrozenTest {
 
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
-    void letGoInTheMiddleOfAFrameItTakesTheStepsAfterWithoutItsForces(boolean after) {
+    void aUnitReleasedDuringAFrameMovesInTheStepsAfterWithoutEarlierForces(boolean after) {
         unit.setFrozen(true);
         unit.applyForce(20, 0);
         other.applyForce(20, 0);
@@ -196,9 +196,9 @@ class FrozenTest {
         assertEquals(6, other.getVx(), 1e-14);
     }
 
-    /** A world in which the unit was pushed while it was frozen is the same as one in which it was not. */
+    /** Compares with a world in which the frozen unit was not pushed. */
     @Test
-    void aPushLeavesNoTraceAfterTheReleaseOnceItHasActed() {
+    void aForceThatActedOnAFrozenUnitHasNoEffectAfterItsRelease() {
         unit.setFrozen(true);
         Snapshot before = world.save();
         for (Runnable time :
@@ -218,7 +218,7 @@ class FrozenTest {
     }
 
     @Test
-    void aPushLeavesNoTraceAfterTheReleaseWhileItsTimeIsPending() {
+    void aPendingForceOnAFrozenUnitHasNoEffectAfterItsRelease() {
         unit.setFrozen(true);
         Snapshot before = world.save();
         world.advance(0.05);
@@ -234,7 +234,7 @@ class FrozenTest {
     }
 
     @Test
-    void hashAndSaveKnowWhetherItIsFrozen() {
+    void hashAndSnapshotContainTheFrozenState() {
         long hash = world.stateHash();
         Snapshot before = world.save();
         unit.setFrozen(true);
@@ -257,7 +257,7 @@ class FrozenTest {
     }
 
     @Test
-    void itIsFrozenInAndOutOfAWorld() {
+    void aUnitStaysFrozenWhenItLeavesAndJoinsAWorld() {
         unit.setFrozen(true);
         world.remove(unit);
         assertTrue(unit.isFrozen());
@@ -271,10 +271,10 @@ class FrozenTest {
         assertEquals(4, unit.getX());
     }
 
-    /** The row of one that leaves is filled by the last, from another block. */
+    /** The last unit takes the row of a removed one, from another tile. */
     @ParameterizedTest
     @EnumSource
-    void itIsFrozenInAnotherBlock(Integrator integrator) {
+    void aUnitStaysFrozenWhenItsRowMovesToAnotherTile(Integrator integrator) {
         world.setIntegrator(integrator);
         while (world.size() < Tiles.TILE) world.add(new Unit(1).setVelocity(1, 1));
         Unit last = world.add(new Unit(2).setPosition(1, 2).setVelocity(3, -4)).setFrozen(true);
@@ -286,16 +286,16 @@ class FrozenTest {
         last.applyForce(1, 1);
         world.step(1);
         assertStill(last);
-        assertEquals(4, unit.getVx(), "the block's others go on");
+        assertEquals(4, unit.getVx(), "the other units of the tile move");
         last.setFrozen(false);
         world.step(1);
         assertEquals(4, last.getX());
     }
 
-    /** Whether it is alone, or the rest of its block moves or not. It may come to rest as it is frozen, but not later. */
+    /** Alone, and in a tile in which another unit moves or not. */
     @ParameterizedTest
     @EnumSource
-    void aVelocityThatWasAboutToComeToRestStaysAsItWasFrozen(Integrator integrator) {
+    void aVelocityBelowRestDoesNotDecayWhileItsUnitIsFrozen(Integrator integrator) {
         for (boolean otherMoves : new boolean[] {true, false}) {
             World world = new World(integrator, Timestep.fixed(60));
             Unit slow = new Unit(1).setFriction(0.5).setVelocity(1.25 * Range.REST, 0);
@@ -304,7 +304,7 @@ class FrozenTest {
             world.add(new Unit(1)).setVelocity(otherMoves ? 1 : 0, 0);
             world.step(1);
             alone.integrate(1, integrator);
-            assertTrue(slow.getVx() > 0 && slow.getVx() < Range.REST, () -> "on its way to rest: " + slow);
+            assertTrue(slow.getVx() > 0 && slow.getVx() < Range.REST, () -> "not below rest, or 0 already: " + slow);
             double v = slow.setFrozen(true).getVx();
             alone.setFrozen(true);
             for (int i = 0; i < 3; i++) {

@@ -29,14 +29,18 @@ import yarts.physics.support.Churn;
 import yarts.physics.support.Doubles;
 
 /**
- * The motor: v' moves towards the ordered velocity u by at most gain(z) (dt/m) R. Below, w is the velocity without the motor,
- * and an ulp without a number is that of the largest of |u|, |v| and gain(z) (dt/m) |F|, with which a step computes.
+ * The motor: v' moves towards the ordered velocity u by at most gain(z) (dt/m) R. Below, w is the velocity without the
+ * motor, and an ulp without a number is that of the largest of |u|, |v| and gain(z) (dt/m) |F|, with which a step
+ * computes.
  */
 class MotorPropertyTest {
-    /** Enough that the rounding errors of a step, below 4 ulp, do not decide whether the motor gains on friction and force. */
+    /**
+     * Large enough that the rounding errors of a step, below 4 ulp, do not decide whether the motor exceeds friction
+     * and force.
+     */
     private static final double MARGIN = 4;
 
-    /** The digits of the closed form, and those that 1 − e^−z loses for a small z. */
+    /** The digits of the closed form, and the number that 1 − e^−z loses for a small z. */
     private static final MathContext DIGITS = new MathContext(80);
 
     private static final BigDecimal ONE = BigDecimal.ONE;
@@ -70,7 +74,7 @@ class MotorPropertyTest {
         unit.integrate(dt, integrator);
     }
 
-    /** gain(z) dt/m of the documentation: the velocity that a step gives per newton. */
+    /** gain(z) dt/m of the documentation: the change of velocity in a step per newton. */
     private static double gain(Unit unit, double dt, Integrator integrator) {
         double h = dt / unit.getMass(), z = unit.getFriction() * h;
         return switch (integrator) {
@@ -98,7 +102,7 @@ class MotorPropertyTest {
                 mostly(Doubles.logUniform(0, 1e50), Arbitraries.of(Double.MIN_VALUE, 1e50)));
     }
 
-    /** z = f dt/m, which may be so large that a step forgets the velocity. */
+    /** z = f dt/m, which may be so large that the decay is 0. */
     @Provide
     Arbitrary<Double> stiffness() {
         return mostly(
@@ -119,7 +123,7 @@ class MotorPropertyTest {
         return mostly(vectors(mostly(Doubles.signedLogUniform(1e-3, 1e6), any)), Arbitraries.just(Vector.ZERO));
     }
 
-    /** Up to half of the fastest, so that the cap of the fastest does not bind. */
+    /** Up to half of the greatest possible speed, so that its cap does not bind. */
     @Provide
     Arbitrary<Vector> velocities() {
         Arbitrary<Double> slow = Doubles.signedLogUniform(0x1p-510, 0x1p-490);
@@ -137,7 +141,7 @@ class MotorPropertyTest {
         return vectors(Doubles.finite());
     }
 
-    /** By how much components of a vector differ from those of another one: not at all, by a few ulp, or by more. */
+    /** Ratios between the components of two vectors: equal, a few ulp apart, or farther. */
     @Provide
     Arbitrary<Vector> ratios() {
         Arbitrary<Double> few = Arbitraries.integers().between(-4, 4).map(k -> 1 + k * Math.ulp(1.0));
@@ -176,9 +180,9 @@ class MotorPropertyTest {
         assertBetween(unit(mass, friction, v), force, u, most, dt, integrator);
     }
 
-    /** Ordered velocities beside the present one, and motors that just reach them or just do not. */
+    /** Ordered velocities near the current one, and motors that only just reach them or only just fail to. */
     @Property(tries = 5000)
-    void eachComponentLiesBetweenThemAlsoWhereTheMotorJustReaches(
+    void eachComponentLiesBetweenThemEvenIfTheMotorOnlyJustReaches(
             @ForAll Integrator integrator,
             @ForAll("masses") double mass,
             @ForAll("frictions") double friction,
@@ -229,7 +233,7 @@ class MotorPropertyTest {
     }
 
     @Property(tries = 2000)
-    void withoutForceTheBitsAreThoseWithoutAMotorWhateverIsOrdered(
+    void aMotorWithoutForceGivesTheBitsOfNoMotor(
             @ForAll Integrator integrator,
             @ForAll("masses") double mass,
             @ForAll("frictions") double friction,
@@ -247,7 +251,7 @@ class MotorPropertyTest {
         }
     }
 
-    /** If R ≥ f|u| + |F|. Where these are equal and oppose each other, the velocity ought to stay: rounding may move it. */
+    /** If R ≥ f|u| + |F|. If both are equal and opposed, the velocity should stay, but rounding may change it. */
     @Property(tries = 3000)
     void theDistanceFromTheOrderedVelocityNeverGrowsByMoreThanRounding(
             @ForAll Integrator integrator,
@@ -275,7 +279,7 @@ class MotorPropertyTest {
         }
     }
 
-    /** Pushes for this, as a part of the velocity that a step at this speed would change. */
+    /** Forces for this test, relative to the greatest velocity. */
     @Provide
     Arbitrary<Vector> pushes() {
         return mostly(Arbitraries.just(Vector.ZERO), vectors(Doubles.signedLogUniform(1e-15, 1e3)));
@@ -294,11 +298,11 @@ class MotorPropertyTest {
     // 2. Arrival
 
     /**
-     * It does so if gain(z) (dt/m) (R − f|u| − |F|) is at least 4 ulp, and |u| below the cap: each step then comes nearer, and
-     * at the latest after twice as many as without rounding it is there.
+     * This holds if gain(z) (dt/m) (R − f|u| − |F|) is at least 4 ulp, and |u| is below the cap. The unit then arrives
+     * within twice the number of steps that it would need without rounding.
      */
     @Property(tries = 3000)
-    void aUnitComesNearerInEveryStepReachesExactlyTheOrderedVelocityAndStays(
+    void aUnitApproachesTheOrderedVelocityInEveryStepReachesItExactlyAndKeepsIt(
             @ForAll Integrator integrator,
             @ForAll("masses") double mass,
             @ForAll("stiffness") double z,
@@ -327,7 +331,7 @@ class MotorPropertyTest {
         }
     }
 
-    /** From just enough on. */
+    /** From only just enough to far more. */
     @Provide
     Arbitrary<Vector> margins() {
         return vectors(mostly(Doubles.logUniform(1.001, 1e16), Doubles.logUniform(1.001, 2)));
@@ -335,7 +339,7 @@ class MotorPropertyTest {
 
     /** A motor too weak for this friction and u: R < f|u|. Its direction is that of u, whatever the velocity was. */
     @Property(tries = 1000)
-    void aMotorThatIsTooWeakApproachesTheSpeedAtWhichFrictionHoldsIt(
+    void aMotorThatIsTooWeakApproachesItsForceOverTheFriction(
             @ForAll Integrator integrator,
             @ForAll("masses") double mass,
             @ForAll("weakStiffness") double z,
@@ -372,7 +376,7 @@ class MotorPropertyTest {
         return Doubles.logUniform(1e-6, 1e6);
     }
 
-    /** How much faster than it can be a unit is told to be. */
+    /** The ordered speed, as a multiple of the speed that the motor can reach. */
     @Provide
     Arbitrary<Double> excesses() {
         return mostly(Doubles.logUniform(1.001, 100), Doubles.logUniform(1.001, 1e140));
@@ -381,7 +385,7 @@ class MotorPropertyTest {
     // 3. Dry friction
 
     @Property(tries = 3000)
-    void aPushBelowTheBrakesForceMovesNothing(
+    void aForceBelowThatOfTheBrakeDoesNotMoveAUnit(
             @ForAll Integrator integrator,
             @ForAll("masses") double mass,
             @ForAll("frictions") double friction,
@@ -405,7 +409,7 @@ class MotorPropertyTest {
     }
 
     @Property(tries = 2000)
-    void aPushAboveItAcceleratesByTheDifference(
+    void aForceAboveThatOfTheBrakeAcceleratesByTheDifference(
             @ForAll Integrator integrator,
             @ForAll("masses") double mass,
             @ForAll("usualTimes") double dt,
@@ -434,7 +438,7 @@ class MotorPropertyTest {
     // 4. The motor's force
 
     @Property(tries = 3000)
-    void withoutFrictionTheForcePointsTowardsTheOrderedVelocityAndIsTheGreatestUntilThatIsReached(
+    void withoutFrictionTheMotorPushesTowardsTheOrderedVelocityWithItsFullForceUntilItArrives(
             @ForAll Integrator integrator,
             @ForAll("masses") double mass,
             @ForAll("usualTimes") double dt,
@@ -461,7 +465,7 @@ class MotorPropertyTest {
         Vector way = u.minus(velocity(free));
         double along = x.doubleValue() * way.x + y.doubleValue() * way.y;
         double across = x.doubleValue() * way.y - y.doubleValue() * way.x;
-        assertTrue(along >= -allowed * way.length(), () -> "away from " + u);
+        assertTrue(along >= -allowed * way.length(), () -> "the motor pushes away from " + u);
         assertEquals(0, across, 2 * allowed * way.length() + 4 * ulp * size);
     }
 
@@ -469,7 +473,7 @@ class MotorPropertyTest {
         return big(after).subtract(big(before)).multiply(perSecond).subtract(big(force));
     }
 
-    /** The velocity that the motor can change in a step, as a part of u or v. */
+    /** The reach of the motor in a step, as a fraction of u or v. */
     @Provide
     Arbitrary<Double> reaches() {
         return mostly(Doubles.logUniform(1e-4, 4), Doubles.logUniform(1e-15, 1e15));
@@ -495,8 +499,8 @@ class MotorPropertyTest {
     // 5. EXACT against the closed form
 
     /**
-     * A unit on a line under a force F and a motor that reaches u at the time T, or never: m dv/dt = F ± R − f v until then,
-     * v = u afterwards.
+     * A unit on a line under a force F and a motor that reaches u at the time T, or never: m dv/dt = F ± R − f v until
+     * then, v = u afterwards.
      */
     private static final class Line {
         /** The acceleration at the start; f/m; and the velocity that the unit approaches if there is friction. */
@@ -565,7 +569,7 @@ class MotorPropertyTest {
         assertFollows(line, unit, Vector.ZERO, direction, force, dt, fastest + Math.abs(force) * dt / mass);
     }
 
-    /** Where nothing else acts, the difference of the velocities keeps its direction. */
+    /** Without other forces, the direction of u − v does not change. */
     @Property(tries = 200)
     void exactWithoutFrictionAndForceFollowsTheClosedFormInThePlane(
             @ForAll("tickRates") double ticksPerSecond,
@@ -582,8 +586,8 @@ class MotorPropertyTest {
     }
 
     /**
-     * Until u is reached, to 1e-12 of the fastest velocity. In the step that reaches u, the motor acts for all of it with a
-     * smaller force, so that the unit ends up to R dt²/(4 m) away.
+     * Until u is reached, to 1e-12 of the greatest speed. In the step that reaches u, the motor acts with a smaller
+     * force for the whole step, so the unit ends up to R dt²/(4 m) away from the closed form.
      */
     private static void assertFollows(
             Line line, Unit unit, Vector start, Vector direction, double force, double dt, double fastest) {
@@ -633,7 +637,7 @@ class MotorPropertyTest {
         return mostly(Arbitraries.just(0.0), Doubles.signedLogUniform(1e-6, 100));
     }
 
-    /** In so many steps, the motor alone would reach the ordered velocity. */
+    /** The number of steps in which the motor alone would reach the ordered velocity. */
     @Provide
     Arbitrary<Double> steps() {
         return Doubles.logUniform(0.01, 300);
@@ -641,7 +645,7 @@ class MotorPropertyTest {
 
     // 6. Frame rates
 
-    /** Units, motors and forces of a game, drawn from a seed; it orders the same in every frame. */
+    /** Units, motors and forces of a game from a seed. The orders are the same in every frame. */
     private static World game(Integrator integrator, long seed) {
         SplittableRandom random = new SplittableRandom(seed);
         World world = new World(integrator, Timestep.fixed(60));
@@ -663,7 +667,7 @@ class MotorPropertyTest {
         }
     }
 
-    /** A second and a half by frames of a rate, with the motors set again in each; what is known after each tick. */
+    /** Plays 1.5 s at a frame rate, with the motors set again in each frame; returns the bits after each tick. */
     private static Map<Long, List<List<Long>>> ticks(Integrator integrator, long seed, double framesPerSecond) {
         World world = game(integrator, seed);
         Map<Long, List<List<Long>>> ticks = new HashMap<>();
@@ -698,9 +702,12 @@ class MotorPropertyTest {
         return mostly(Doubles.logUniform(7, 1000), Arbitraries.of(7.0, 15.0, 30.0, 59.0, 60.0, 144.0, 240.0, 1000.0));
     }
 
-    // 7. Nothing leads to NaN or infinity; the cap wins
+    // 7. Nothing leads to NaN or infinity; the cap acts after the motor
 
-    /** Extreme units in a world and the same units alone: all numbers are finite, no cap is exceeded, the bits are the same. */
+    /**
+     * Extreme units in a world and the same units alone: all numbers are finite, no cap is exceeded, the bits are the
+     * same.
+     */
     @Property(tries = 300)
     void extremeMotorsGiveFiniteNumbersWithinTheCapAndInAWorldTheSameBitsAsAlone(
             @ForAll Integrator integrator, @ForAll long seed, @ForAll @IntRange(min = 1, max = 70) int size) {
@@ -746,7 +753,7 @@ class MotorPropertyTest {
         }
     }
 
-    /** From least to most, uniform in the logarithm; often at one of both. */
+    /** From least to most, uniform in the logarithm; often exactly one of the two. */
     private static double number(SplittableRandom random, double least, double most) {
         int k = random.nextInt(16);
         if (k == 0) return least;

@@ -25,7 +25,7 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Churn;
 
-/** The motor as a game uses it; its formula over all numbers is in {@link MotorPropertyTest}. */
+/** The motor as games use it. {@link MotorPropertyTest} tests its formula for all numbers. */
 class MotorTest {
     private static final double DT = 1 / 60.0;
 
@@ -62,26 +62,26 @@ class MotorTest {
 
     @ParameterizedTest
     @EnumSource
-    void anEngineThatIsStrongEnoughHoldsTheVelocityAgainstFrictionAndWind(Integrator integrator) {
+    void anEngineThatIsStrongEnoughKeepsTheVelocityAgainstFrictionAndWind(Integrator integrator) {
         Unit boat = new Unit(1000).setFriction(200).setMotor(10, 0, 2100); // f·u is 2000 N
         for (int i = 0; i < 3600; i++) {
             boat.applyForce(0, 50);
             boat.integrate(DT, integrator);
-            assertTrue(boat.getVx() <= 10, "never beyond it");
+            assertTrue(boat.getVx() <= 10, "never above it");
         }
         assertVelocity(10, 0, boat);
     }
 
     @ParameterizedTest
     @EnumSource
-    void anEngineThatIsTooWeakApproachesTheSpeedAtWhichFrictionHoldsIt(Integrator integrator) {
+    void anEngineThatIsTooWeakApproachesItsForceOverTheFriction(Integrator integrator) {
         Unit boat = new Unit(1000).setFriction(200).setVelocity(-3, 4).setMotor(30, 40, 2000); // R/f is 10 m/s
         for (int i = 0; i < 60 * 300; i++) boat.integrate(DT, integrator);
         assertEquals(6, boat.getVx(), 1e-12);
         assertEquals(8, boat.getVy(), 1e-12);
     }
 
-    /** However long the step is: a brake that could stop it twice in a step does not reverse it. */
+    /** For a step of any length: a brake with twice the force needed does not reverse the unit. */
     @ParameterizedTest
     @EnumSource
     void aBrakeStopsAUnitExactlyAndNeverReversesIt(Integrator integrator) {
@@ -97,7 +97,7 @@ class MotorTest {
         }
     }
 
-    /** The motor works on the velocity to which the force has led: a push sideways costs it some of its own force. */
+    /** The motor acts after the force: it needs some of its own force against a push sideways. */
     @Test
     void theMotorWorksAgainstForcesAndFriction() {
         Unit unit = new Unit(2).setFriction(1).setVelocity(4, 0).setMotor(0, 0, 6);
@@ -111,7 +111,7 @@ class MotorTest {
 
     @ParameterizedTest
     @EnumSource
-    void theTopSpeedIsAboveTheMotor(Integrator integrator) {
+    void theTopSpeedLimitsTheMotor(Integrator integrator) {
         Unit unit = new Unit(1).setMaxSpeed(5).setMotor(30, 40, 1000);
         for (int i = 0; i < 10; i++) {
             unit.integrate(1, integrator);
@@ -138,7 +138,7 @@ class MotorTest {
     /** R = µ m g: at rest after v/(µ g), to within one step, v²/(2 µ g) away, to within v dt. */
     @ParameterizedTest
     @MethodSource("rates")
-    void dryFrictionStopsASlidingUnitWhenAndWhereItShould(Integrator integrator, int rate) {
+    void dryFrictionStopsASlidingUnitAtTheExpectedTimeAndPlace(Integrator integrator, int rate) {
         double dt = 1.0 / rate;
         for (double deceleration : new double[] {0.02 * 9.81, 0.6 * 9.81, 30}) {
             for (double v : new double[] {0.1, 3, 12.5, 40}) {
@@ -160,7 +160,7 @@ class MotorTest {
 
     @ParameterizedTest
     @MethodSource("rates")
-    void aPushBelowDryFrictionMovesNothingAndOneAboveItAcceleratesByTheDifference(Integrator integrator, int rate) {
+    void aForceBelowDryFrictionMovesNothingAndOneAboveItAcceleratesByTheDifference(Integrator integrator, int rate) {
         double dt = 1.0 / rate, most = 0.6 * 9.81 * 70;
         World world = new World(integrator, Timestep.fixed(rate));
         for (int degrees = 0; degrees < 360; degrees += 15) {
@@ -183,7 +183,7 @@ class MotorTest {
         }
     }
 
-    /** A force on each, in the direction of its number. */
+    /** Applies a force to each unit, in a direction that depends on its index. */
     private static void push(World world, double force) {
         for (Unit unit : world) {
             double angle = Math.toRadians((unit.getId() - 1) * 15.0);
@@ -193,7 +193,7 @@ class MotorTest {
 
     @ParameterizedTest
     @EnumSource
-    void aConveyorCarriesACrateAtItsSpeedAndIceHardlyBrakes(Integrator integrator) {
+    void aConveyorMovesACrateAtItsSpeedAndIceBrakesOnlySlightly(Integrator integrator) {
         World world = new World(integrator, Timestep.fixed(60));
         Unit crate = world.add(new Unit(10)).setMotor(2, 0, 0.6 * 9.81 * 10);
         Unit skater = world.add(new Unit(80)).setVelocity(5, 0).setMotor(0, 0, 0.004 * 9.81 * 80);
@@ -202,10 +202,10 @@ class MotorTest {
         assertEquals(5 - 2 * 0.004 * 9.81, skater.getVx(), 1e-12);
     }
 
-    // What it is part of
+    // The motor and the rest of the state
 
     @Test
-    void itIsOffUntilItIsSetAndStaysOnUntilItIsSetAgain() {
+    void aMotorIsOffUntilItIsSetAndStaysOnUntilItIsSetAgain() {
         Unit unit = new Unit(1);
         assertMotor(0, 0, 0, unit);
         unit.setVelocity(1, 2).integrate(1);
@@ -222,9 +222,9 @@ class MotorTest {
         assertMotor(3, -4, 0, unit);
     }
 
-    /** As setVelocity treats it, but a top speed does not matter. */
+    /** It is treated as by setVelocity, but the top speed does not reduce it. */
     @Test
-    void theOrderedVelocityIsAnyFiniteOne() {
+    void theOrderedVelocityCanBeAnyFiniteOne() {
         Unit unit = new Unit(1).setMaxSpeed(2);
         assertMotor(30, -40, 1e50, unit.setMotor(30, -40, 1e50));
         assertMotor(0, 0, Double.MIN_VALUE, unit.setMotor(-0.0, Math.nextDown(Range.REST), Double.MIN_VALUE));
@@ -257,7 +257,7 @@ class MotorTest {
     }
 
     @Test
-    void aUnitKeepsItsMotorWhenItJoinsOrLeavesAWorldAndAWorldThatIsCleared() {
+    void aUnitKeepsItsMotorWhenItJoinsOrLeavesAWorldAndWhenTheWorldIsCleared() {
         World world = new World();
         Unit unit = new Unit(1).setMotor(1, 2, 3), other = world.add(new Unit(1));
         world.add(unit);
@@ -278,7 +278,7 @@ class MotorTest {
     }
 
     @Test
-    void hashDifferenceSaveBytesAndRestoreKnowTheMotor() {
+    void hashDifferenceBytesSaveAndRestoreIncludeTheMotor() {
         World world = new World();
         Unit unit = world.add(new Unit(1).setVelocity(1, 1)), other = world.add(new Unit(2));
         Set<Long> hashes = new HashSet<>(Set.of(world.stateHash()));
@@ -311,9 +311,9 @@ class MotorTest {
         assertVelocity(5, -6, copy.get(0));
     }
 
-    /** The table remembers which tiles may have motors: this must not show. */
+    /** The table keeps a flag for tiles that may have motors. It must not change any result. */
     @Test
-    void aMotorThatWasOnLeavesNoTrace() {
+    void aMotorThatWasOnHasNoEffectAfterItIsOff() {
         for (double left : new double[] {0, 3}) {
             World never = new World(), once = new World();
             for (World world : List.of(never, once)) {
@@ -337,10 +337,10 @@ class MotorTest {
 
     // A world
 
-    /** Rows move as units come and go, within and between tiles; each must take its motor along. */
+    /** Rows move within and between tiles as units join and leave; the motor must move with its row. */
     @ParameterizedTest
     @EnumSource
-    void inAWorldThatUnitsJoinAndLeaveEachHasTheBitsThatItHasAlone(Integrator integrator) {
+    void unitsInAWorldThatOthersJoinAndLeaveHaveTheBitsOfUnitsAlone(Integrator integrator) {
         for (int size : Tiles.sizes()) {
             if (size < 1) continue;
             SplittableRandom random = new SplittableRandom(size);
@@ -376,7 +376,7 @@ class MotorTest {
         }
     }
 
-    /** Tiles are remembered that may have motors: also when the arrays grow, and by a snapshot. */
+    /** The flags of tiles with motors must survive the growth of the arrays and a restore. */
     @Test
     void aMotorActsAfterTheWorldHasGrownAndAfterARestore() {
         World world = new World();
@@ -394,7 +394,7 @@ class MotorTest {
         Unit last = world.get(world.size() - 1).setMotor(0, -5, 60);
         world.remove(world.get(Tiles.TILE));
         world.step();
-        assertEquals(-1, last.getVy(), "in a tile that had no motors");
+        assertEquals(-1, last.getVy(), "in a tile that had no motors before");
     }
 
     private static Unit unit(long draw) {

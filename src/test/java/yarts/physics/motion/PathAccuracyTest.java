@@ -16,24 +16,24 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 
 /**
- * Whole paths of units under a constant force, step by step, against closed forms in 60 digits: EXACT against the solution of
- * m dv/dt = F − f v at the end of all steps; EULER and MIDPOINT against the sum of their own rule's geometric series. So
- * what is left is the rounding of all steps together.
+ * Compares whole paths of units under a constant force with closed forms in 60 digits: EXACT with the solution of m
+ * dv/dt = F − f v at the end of all steps; the others with the geometric series of their own rule. The difference is
+ * the sum of the rounding errors of all steps.
  */
 class PathAccuracyTest {
     private static final int STEPS = 1000, UNITS = 100;
 
-    /** 60 digits, and those that the differences of small z lose. */
+    /** 60 digits, and the number that differences lose for a small z. */
     private static final MathContext DIGITS = new MathContext(90);
 
     private static final BigDecimal ZERO = BigDecimal.ZERO, ONE = BigDecimal.ONE, TWO = new BigDecimal(2);
 
-    /** The most that is allowed, as a part of the greatest that the velocity and the displacement come to. */
+    /** The allowed error, relative to the greatest velocity and displacement. */
     private static final double MOST = 2.5e-13;
 
     @ParameterizedTest
     @EnumSource(Integrator.class)
-    void hundredsFollowTheClosedForm(Integrator integrator) {
+    void hundredsOfUnitsFollowTheClosedForm(Integrator integrator) {
         double worst = worst(integrator, 3, 1);
         assertTrue(worst <= MOST, integrator + ": " + worst);
     }
@@ -41,13 +41,13 @@ class PathAccuracyTest {
     @ParameterizedTest
     @EnumSource(Integrator.class)
     @Tag("long")
-    void tenThousandFollowTheClosedForm(Integrator integrator) {
+    void tenThousandUnitsFollowTheClosedForm(Integrator integrator) {
         double worst = worst(integrator, 100, 2);
         System.out.println("worst of " + integrator + " after " + STEPS + " steps: " + worst);
         assertTrue(worst <= MOST, integrator + ": " + worst);
     }
 
-    /** The worst of some worlds with a dt each. */
+    /** The largest error of several worlds, each with its own dt. */
     private static double worst(Integrator integrator, int worlds, long seed) {
         SplittableRandom random = new SplittableRandom(seed);
         double worst = 0;
@@ -86,7 +86,7 @@ class PathAccuracyTest {
         BigDecimal[] end = integrator == Integrator.EXACT
                 ? step(integrator, z.multiply(n), push.multiply(n), big(v0), big(dt).multiply(n))
                 : series(integrator, z, push, big(v0), big(dt));
-        // The greatest speed, and how far it would lead.
+        // The greatest speed, and the distance at that speed.
         double fastest = Math.max(Math.abs(v0), end[0].abs().doubleValue());
         double speed = Math.max(fastest, end[1].abs().doubleValue() / (dt * STEPS));
         return Math.max(
@@ -94,7 +94,7 @@ class PathAccuracyTest {
                 end[1].subtract(big(unit.getX())).abs().doubleValue() / (dt * STEPS * speed));
     }
 
-    /** The velocity and the displacement after all steps: v' = d v + g at each, and S = 1 + d + d² + … */
+    /** The velocity and the displacement after all steps, each v' = d v + g, with the sum 1 + d + d² + … */
     private static BigDecimal[] series(
             Integrator integrator, BigDecimal z, BigDecimal push, BigDecimal v, BigDecimal dt) {
         BigDecimal n = big(STEPS),
@@ -106,8 +106,8 @@ class PathAccuracyTest {
         BigDecimal sums =
                 free ? n.multiply(n.subtract(ONE)).divide(TWO) : n.subtract(sum).divide(left, DIGITS);
         BigDecimal end = power.multiply(v).add(g.multiply(sum));
-        BigDecimal firsts = v.multiply(sum).add(g.multiply(sums)); // of the velocities that steps start with
-        BigDecimal led = end.subtract(v); // by so much is the sum of those that steps end with greater
+        BigDecimal firsts = v.multiply(sum).add(g.multiply(sums)); // the sum of the velocities before steps
+        BigDecimal led = end.subtract(v); // the sum of those after steps, minus firsts
         BigDecimal share = switch (integrator) {
             case EULER -> ZERO;
             case SEMI_IMPLICIT -> ONE;

@@ -1,6 +1,6 @@
 package yarts.physics.motion;
 
-/** The range of velocities, as the package description says it. */
+/** The range of velocities, as in the package description. */
 final class Range {
     /** No unit is faster; in m/s. */
     static final double FASTEST = 0x1p500;

@@ -14,7 +14,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** Rest is rest: a velocity that decays ends at exactly 0, and never visits the subnormal numbers. */
+/** A velocity that decays becomes exactly 0, without subnormal numbers. */
 class RestTest {
     private static final int STEPS = 1_000_000;
 
@@ -42,7 +42,7 @@ class RestTest {
     void aDecayingVelocityEndsAtExactlyZero(Integrator integrator, double decay) {
         Unit unit = new Unit(1).setFriction(z(integrator, decay)).setVelocity(10, -1e-3);
         unit.integrate(1, integrator);
-        assertEquals(10 * decay, unit.getVx(), 1e-14, "the decay it is meant to have");
+        assertEquals(10 * decay, unit.getVx(), 1e-14, "the decay of this test");
         for (int i = 1; i < STEPS; i++) {
             unit.integrate(1, integrator);
             assertNormalOrZero(unit.getVx());
@@ -60,7 +60,7 @@ class RestTest {
     @MethodSource("decays")
     void aWorldComesToRestAsAWhole(Integrator integrator, double decay) {
         World world = new World(integrator, Timestep.fixed(60));
-        for (int i = -300; i <= 150; i += 50) { // from just above rest to the fastest there is
+        for (int i = -300; i <= 150; i += 50) { // from just above rest to the greatest speed
             double v = Math.pow(10, i);
             world.add(new Unit(1).setFriction(z(integrator, decay)).setVelocity(-v, v / 3));
         }
@@ -69,14 +69,14 @@ class RestTest {
     }
 
     @Test
-    void plainDecayWouldStickAboveZeroForEver() {
+    void withoutARestThresholdADecayingVelocityNeverReachesZero() {
         double v = 10;
         for (int i = 0; i < STEPS; i++) v *= 0.9;
         assertTrue(v > 0 && v < Double.MIN_NORMAL);
     }
 
     @Test
-    void withoutFrictionTheSlowestVelocityLasts() {
+    void withoutFrictionTheSmallestVelocityDoesNotDecay() {
         double slow = 2 * Range.REST;
         for (Integrator integrator : Integrator.values()) {
             Unit unit = new Unit(1).setVelocity(slow, -slow);
@@ -110,10 +110,9 @@ class RestTest {
         }
     }
 
-    /** Neither subnormal nor −0.0. */
-    /** It is the slowest speed; below it, a top speed pins. */
+    /** The smallest top speed with which a unit moves; any smaller one pins it. */
     @Test
-    void aUnitWithATopSpeedOfRestMovesAsFast() {
+    void aUnitWithATopSpeedOfRestMovesAtThatSpeed() {
         for (boolean alone : new boolean[] {true, false}) {
             Unit unit = new Unit(1).setMaxSpeed(Range.REST).setVelocity(Range.REST, 0);
             World world = new World(Integrator.EULER, Timestep.variable(1));
@@ -127,6 +126,7 @@ class RestTest {
         }
     }
 
+    /** Neither subnormal nor −0.0. */
     private static void assertNormalOrZero(double v) {
         if (Math.abs(v) < Double.MIN_NORMAL) assertEquals(0L, Double.doubleToRawLongBits(v), () -> "v " + v);
     }

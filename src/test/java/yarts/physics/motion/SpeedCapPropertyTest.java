@@ -20,7 +20,7 @@ import yarts.physics.support.Doubles;
 
 /** The speed cap, at speeds from 1e-30 to the largest double. */
 class SpeedCapPropertyTest {
-    /** Of speeds, relatively: how far below its cap a unit may be that was cut to it. */
+    /** The greatest relative distance of a reduced speed below the cap. */
     private static final double ROUNDING = 2.4e-15;
 
     @Provide
@@ -45,13 +45,13 @@ class SpeedCapPropertyTest {
     }
 
     @Property
-    void aVelocityPastTheCapIsCutToItAtOnceInTheSameDirection(
+    void aVelocityAboveTheCapIsReducedAtOnceAndKeepsItsDirection(
             @ForAll("velocities") double vx, @ForAll("velocities") double vy, @ForAll("caps") double cap) {
         assertCut(new Unit(1).setMaxSpeed(cap).setVelocity(vx, vy), vx, vy, cap);
     }
 
     @Property
-    void loweringTheCapActsAtOnce(
+    void aLowerCapReducesTheVelocityAtOnce(
             @ForAll("velocities") double vx, @ForAll("velocities") double vy, @ForAll("caps") double cap) {
         Unit unit = new Unit(1).setVelocity(vx, vy);
         double wasX = unit.getVx();
@@ -60,7 +60,7 @@ class SpeedCapPropertyTest {
     }
 
     @Property
-    void anImpulsePastTheCapIsCutToIt(
+    void theCapLimitsTheEffectOfAnImpulse(
             @ForAll("forces") double jx,
             @ForAll("forces") double jy,
             @ForAll("positive") double mass,
@@ -71,7 +71,7 @@ class SpeedCapPropertyTest {
     }
 
     @Property
-    void noStepTakesAUnitPastItsCapOrFartherThanTheCapAllows(
+    void inNoStepDoesAUnitExceedItsCapOrMoveFartherThanTheCapAllows(
             @ForAll Integrator integrator,
             @ForAll("velocities") double vx,
             @ForAll("velocities") double vy,
@@ -103,14 +103,14 @@ class SpeedCapPropertyTest {
     }
 
     @Property
-    void theCapOfTheFastestHoldsWhereThereIsNone(@ForAll("velocities") double vx, @ForAll("velocities") double vy) {
+    void theGreatestSpeedLimitsAUnitWithoutATopSpeed(@ForAll("velocities") double vx, @ForAll("velocities") double vy) {
         Unit unit = new Unit(1).setVelocity(vx, vy);
         assertEquals(Double.POSITIVE_INFINITY, unit.getMaxSpeed());
         assertCut(unit, vx, vy, Range.FASTEST);
     }
 
     @Property
-    void maxSpeedZeroPinsAUnitDown(
+    void aUnitWithATopSpeedOfZeroNeverMoves(
             @ForAll Integrator integrator,
             @ForAll("velocities") double vx,
             @ForAll("forces") double force,
@@ -128,9 +128,9 @@ class SpeedCapPropertyTest {
         assertEquals(0.0, unit.getY());
     }
 
-    /** Whatever its components round to. */
+    /** For any rounding of its components. */
     @Property(tries = 3000)
-    void aUnitSetToItsCapIsLeftSoByEveryDoorAndStep(
+    void aUnitAtItsCapIsChangedByNoSetterAndNoStep(
             @ForAll Integrator integrator, @ForAll("velocities") double vx, @ForAll("velocities") double vy) {
         Unit unit = new Unit(1).setVelocity(vx, vy);
         double cap = unit.getSpeed(), x = unit.getVx(), y = unit.getVy();
@@ -144,9 +144,9 @@ class SpeedCapPropertyTest {
         assertEquals(cap, unit.getSpeed());
     }
 
-    /** To cut what was cut changes nothing, and it is at its top speed ever after. */
+    /** The cap changes a reduced velocity no further, and its speed is permanently the top speed. */
     @Property(tries = 3000)
-    void aSpeedThatWasCutIsTheTopSpeedAndIsNotCutAgain(
+    void aReducedSpeedIsTheTopSpeedAndIsNotReducedAgain(
             @ForAll Integrator integrator,
             @ForAll("velocities") double vx,
             @ForAll("velocities") double vy,
@@ -173,9 +173,9 @@ class SpeedCapPropertyTest {
         assertLeft(unit, x, y);
     }
 
-    /** In a world, too, where many are stepped together. */
+    /** Also in a world, whose step handles many rows together. */
     @Property(tries = 50)
-    void manyAtTheirTopSpeedStayThere(@ForAll Integrator integrator, @ForAll long seed) {
+    void unitsOfAWorldAtTheirTopSpeedStayThere(@ForAll Integrator integrator, @ForAll long seed) {
         Random random = new Random(seed);
         World world = new World(integrator, Timestep.fixed(60));
         for (int i = 0; i < 2 * Tiles.TILE + 1; i++) {
@@ -190,8 +190,8 @@ class SpeedCapPropertyTest {
             world.copyVelocities(before, 0);
             world.step(1);
             world.copyVelocities(after, 0);
-            assertArrayEquals(before, after, "nothing pushes");
-            world.applyForces(before, 0); // along
+            assertArrayEquals(before, after, "no force acts");
+            world.applyForces(before, 0); // in the direction of motion
             world.step(0.5);
             for (Unit unit : world) assertTop(unit, unit.getMaxSpeed());
         }
@@ -211,11 +211,11 @@ class SpeedCapPropertyTest {
 
     private static void assertCut(Unit unit, double vx, double vy, double cap) {
         assertUnder(unit, cap);
-        // At its cap, if it was faster, to a few rounding errors; as it was, if it was slower.
+        // If it was faster: at its cap, to a few rounding errors. If it was slower: unchanged.
         BigDecimal was = squared(vx, vy);
         BigDecimal least = was.min(big(Math.min(cap, Range.FASTEST)).pow(2)).multiply(big(1 - 2 * ROUNDING));
         assertTrue(squared(unit.getVx(), unit.getVy()).compareTo(least) >= 0, () -> unit + " with a cap of " + cap);
-        // vx' : vy' = vx : vy, to what the two products round by (or to a component that is rest)
+        // vx' : vy' = vx : vy, to the rounding errors of the two products (or a component is rest)
         BigDecimal left = big(unit.getVx()).multiply(big(vy));
         BigDecimal right = big(unit.getVy()).multiply(big(vx));
         BigDecimal slack = left.abs().max(right.abs()).multiply(big(4 * Math.ulp(1.0)));
@@ -225,10 +225,10 @@ class SpeedCapPropertyTest {
         if (vx != 0 && Math.abs(vx) >= Math.abs(vy)) assertTrue(unit.getVx() != 0, "the larger component is kept");
     }
 
-    /** Exactly, and as getSpeed reports it. */
+    /** The exact speed, and the one that getSpeed returns. */
     private static void assertUnder(Unit unit, double cap) {
         assertTrue(unit.getSpeed() <= cap, () -> unit + " with a cap of " + cap);
-        // Where nothing was cut, the speed may be over the cap by what the kernel cannot tell.
+        // A speed that was not reduced may exceed the cap by the rounding error of the kernel's comparison.
         BigDecimal limit = big(Math.min(cap, Range.FASTEST)).multiply(big(1 + Math.ulp(1.0)));
         assertTrue(
                 squared(unit.getVx(), unit.getVy()).compareTo(limit.pow(2)) <= 0, () -> unit + " with a cap of " + cap);

@@ -12,7 +12,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** Forces that depend on the position, evaluated at the start of each step: SEMI_IMPLICIT alone gains no energy from them. */
+/** With forces that depend on the position at the start of each step, only SEMI_IMPLICIT gains no energy. */
 class SpringsTest {
     /** A unit of 1 kg, with a force at the start of each step that depends on its position. */
     private static World world(Integrator integrator, int rate, double stiffness, double gravity, Unit unit) {
@@ -26,10 +26,10 @@ class SpringsTest {
         return world;
     }
 
-    /** r = 100 m, v = 10 m/s, 100 turns at 60 steps per second: the radius at the end, as a multiple of the first. */
+    /** r = 100 m, v = 10 m/s, 60 steps per second: the radius after 100 turns, as a multiple of the initial one. */
     @ParameterizedTest
     @CsvSource({"EULER, 1.94", "SEMI_IMPLICIT, 1", "MIDPOINT, 1.61", "EXACT, 1.61"})
-    void aCircularOrbitKeepsItsRadiusBySemiImplicitAlone(Integrator integrator, double expected) {
+    void aCircularOrbitKeepsItsRadiusOnlyUnderSemiImplicit(Integrator integrator, double expected) {
         double r = 100, v = 10, turn = 2 * Math.PI * r / v;
         Unit unit = new Unit(1).setPosition(r, 0).setVelocity(0, v);
         World world = world(integrator, 60, 0, v * v * r, unit);
@@ -51,7 +51,7 @@ class SpringsTest {
     /** Undamped, 10 rad/s, at 60 steps per second, for ten minutes. */
     @ParameterizedTest
     @EnumSource
-    void anUndampedSpringGrowsExceptBySemiImplicit(Integrator integrator) {
+    void anUndampedSpringGrowsExceptUnderSemiImplicit(Integrator integrator) {
         Unit unit = new Unit(1).setPosition(1, 0);
         World world = world(integrator, 60, 100, 0, unit);
         double most = 0;
@@ -65,7 +65,7 @@ class SpringsTest {
 
     /** Stable for k dt² < 4 m + 2 f dt, and with the amplitude at most 1/√(1 − k dt²/(4 m)) without friction. */
     @Test
-    void semiImplicitIsStableUpToItsLimitAndNotBeyond() {
+    void semiImplicitIsStableUpToItsLimitAndUnstableBeyond() {
         for (double friction : new double[] {0, 0.5, 3, 40}) {
             for (int rate : new int[] {1, 10, 60}) {
                 double dt = 1.0 / rate, limit = (4 + 2 * friction * dt) / (dt * dt);

@@ -12,7 +12,7 @@ import yarts.physics.Integrator;
 import yarts.physics.Unit;
 import yarts.physics.support.Doubles;
 
-/** What friction does in the library, whatever is asked: every mass, friction, force, velocity and dt accepted. */
+/** The effect of friction with every accepted mass, friction, force, velocity and dt. */
 class StabilityPropertyTest {
     @Provide
     Arbitrary<Double> masses() {
@@ -46,7 +46,7 @@ class StabilityPropertyTest {
     }
 
     @Property(tries = 3000)
-    void velocityGoesFromWhereItIsTowardsTheTerminalSpeedAndNeverPastIt(
+    void velocityMovesTowardsTheTerminalSpeedAndNeverPastIt(
             @ForAll Integrator integrator,
             @ForAll("masses") double mass,
             @ForAll("frictions") double friction,
@@ -64,7 +64,7 @@ class StabilityPropertyTest {
             double slack = force == 0 ? 0 : 4 * Math.ulp(Math.max(Math.abs(before), Math.abs(terminal)));
             double low = Math.min(before, terminal);
             double high = Math.max(before, terminal);
-            if (force != 0) { // a speed below REST may go to rest, whatever pushes
+            if (force != 0) { // a speed below REST may become 0 under any force
                 low = Math.min(low, 0.0 < low && low < Range.REST ? 0 : low);
                 high = Math.max(high, -Range.REST < high && high < 0.0 ? 0 : high);
             }
@@ -72,7 +72,7 @@ class StabilityPropertyTest {
                     after >= low - slack && after <= high + slack,
                     () -> "from " + before + " to " + after + " with F/f = " + terminal);
             if (Math.abs(before) >= Range.REST && Math.abs(after) >= Range.REST) {
-                assertTrue((after - before) * direction >= 0, "and never back: from " + before + " to " + after);
+                assertTrue((after - before) * direction >= 0, "direction changed: from " + before + " to " + after);
                 direction = Math.signum(after - before);
             }
             assertEquals(0, unit.getVx());
@@ -80,7 +80,7 @@ class StabilityPropertyTest {
     }
 
     @Property
-    void withoutAForceFrictionNeverFlipsASignOfEitherComponent(
+    void withoutAForceFrictionNeverChangesTheSignOfAComponent(
             @ForAll Integrator integrator,
             @ForAll("masses") double mass,
             @ForAll("frictions") double friction,
@@ -98,7 +98,7 @@ class StabilityPropertyTest {
     }
 
     @Property
-    void aBodyAtRestWithNoForceStaysWhereItIs(
+    void aUnitAtRestWithoutAForceDoesNotMove(
             @ForAll Integrator integrator,
             @ForAll("masses") double mass,
             @ForAll("frictions") double friction,
@@ -114,7 +114,7 @@ class StabilityPropertyTest {
     }
 
     @Property
-    void nothingAcceptedLeadsToNaNOrInfinity(
+    void noAcceptedValueLeadsToNaNOrInfinity(
             @ForAll Integrator integrator,
             @ForAll("masses") double mass,
             @ForAll("frictions") double friction,
@@ -133,8 +133,8 @@ class StabilityPropertyTest {
     }
 
     /**
-     * To 1e-12, or to what a 64-bit velocity allows: near F/f a step changes v by z(F/f − v), which is lost in rounding
-     * as soon as it is less than half an ulp of v.
+     * To 1e-12, or to the precision of a double: near F/f a step changes v by z(F/f − v), which has no effect if it is
+     * less than half an ulp of v.
      */
     @Property(tries = 100)
     void terminalSpeedIsForceOverFrictionAtEveryStiffness(
@@ -147,10 +147,10 @@ class StabilityPropertyTest {
         double terminal = force / friction;
         double tolerance = Math.max(1e-12, 0x1p-51 / z);
         Unit unit = new Unit(mass).setFriction(friction);
-        // From rest where that takes less than 100,000 steps, otherwise from close by.
+        // From rest if that takes less than 100,000 steps, otherwise from a velocity near F/f.
         if (z < 3e-4) unit.setVelocity(terminal * (1 + tolerance * 10), 0);
         double steps = Math.min(30 / z, 1e5) + 1;
-        if (integrator == Integrator.SEMI_IMPLICIT) steps = Math.max(steps, 30 / Math.log(1 + z) + 1); // its own decay
+        if (integrator == Integrator.SEMI_IMPLICIT) steps = Math.max(steps, 30 / Math.log(1 + z) + 1); // its decay
         for (int i = 0; i < steps; i++) {
             unit.applyForce(force, 0);
             unit.integrate(dt, integrator);
@@ -159,7 +159,7 @@ class StabilityPropertyTest {
         assertEquals(1, unit.getVx() / terminal, tolerance * (1 + late));
     }
 
-    /** F/f, within what a unit can reach. */
+    /** F/f, limited to the speeds that a unit can reach. */
     private static double terminal(double force, double friction) {
         if (force == 0) return 0;
         double terminal = force / friction;

@@ -11,11 +11,13 @@ import org.junit.jupiter.params.provider.EnumSource;
 import yarts.physics.Integrator;
 import yarts.physics.Unit;
 
-/** A unit at its top speed says so, for ever. Any direction and top speed: {@link SpeedCapPropertyTest}. */
+/**
+ * The speed of a unit at its cap is the top speed, permanently. {@link SpeedCapPropertyTest} has any direction and cap.
+ */
 class TopSpeedTest {
     @ParameterizedTest
     @EnumSource
-    void aUnitThatIsPushedOnAtItsTopSpeedHasIt(Integrator integrator) {
+    void aUnitThatIsPushedAtItsTopSpeedHasThatSpeed(Integrator integrator) {
         SplittableRandom random = new SplittableRandom(1);
         for (int i = 0; i < 1000; i++) {
             double top = i == 0 ? 15 : random.nextDouble(1e-3, 1e3);
@@ -30,9 +32,9 @@ class TopSpeedTest {
         }
     }
 
-    /** What is at its top speed stays as it is, to the bit, whichever way it is looked at or set again. */
+    /** No setter, impulse of 0 or step changes a velocity at the top speed, to the bit. */
     @Test
-    void nothingIsCutTwice() {
+    void noVelocityIsReducedTwice() {
         SplittableRandom random = new SplittableRandom(2);
         for (int i = 0; i < 100_000; i++) {
             double top = random.nextDouble(1e-3, 1e3);
@@ -50,11 +52,11 @@ class TopSpeedTest {
     }
 
     /**
-     * Why getSpeed says it, and not the components alone: here no pair of doubles within two ulp of where the direction
-     * meets the top speed has just that speed, as it is rounded. It is so for one direction in forty.
+     * The reason why getSpeed returns the top speed for nearby speeds: in this direction, no pair of doubles within two
+     * ulp of the exact velocity has a speed that rounds to the top speed. This is so for one direction in forty.
      */
     @Test
-    void noVelocityInThatDirectionHasThatSpeed() {
+    void noVelocityNearThisDirectionHasExactlyTheTopSpeed() {
         double top = 1.1932979995092468, x = 1.1772908351197984, y = 0.19479837056735777;
         for (int i = -2; i <= 2; i++) {
             for (int j = -2; j <= 2; j++) assertNotEquals(top, speed(x + i * Math.ulp(x), y + j * Math.ulp(y)));
@@ -64,12 +66,12 @@ class TopSpeedTest {
         assertEquals(top, speed(unit.getVx(), unit.getVy()), 1e-14);
     }
 
-    /** What is slower by more than rounding is told as it is. */
+    /** getSpeed returns a speed that is lower by more than rounding unchanged. */
     @Test
     void aSlowerUnitIsNotAtItsTopSpeed() {
         Unit unit = new Unit(1).setMaxSpeed(15).setVelocity(15 * (1 - 1e-14), 0);
         assertEquals(15 * (1 - 1e-14), unit.getSpeed());
-        double at = 1 - 0x1p-48; // from here on rounding may be all that is between
+        double at = 1 - 0x1p-48; // above this, the difference may be rounding alone
         assertEquals(1, new Unit(1).setMaxSpeed(1).setVelocity(at, 0).getSpeed());
         assertEquals(
                 Math.nextDown(at),

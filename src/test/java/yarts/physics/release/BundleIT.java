@@ -36,7 +36,7 @@ import org.objectweb.asm.Opcodes;
 import org.w3c.dom.Document;
 import org.w3c.dom.NodeList;
 
-/** Reads the bundle that goes to Maven Central, as {@code mvn -Prelease verify} has made it. */
+/** Checks the bundle for Maven Central that {@code mvn -Prelease verify} has built. */
 class BundleIT {
     private static final String VERSION = System.getProperty("bundle.version");
     private static final boolean SIGNED = Boolean.getBoolean("bundle.signed");
@@ -57,7 +57,7 @@ class BundleIT {
     }
 
     @Test
-    void theBundleHoldsEachFileWithItsChecksumsAndNothingElse() {
+    void theBundleHasOnlyTheFilesAndTheirChecksums() {
         Set<String> expected = new TreeSet<>();
         for (String file : FILES) {
             expected.add(STEM + file);
@@ -79,8 +79,8 @@ class BundleIT {
     }
 
     @Test
-    void signaturesAreThereIfThereIsAKey() {
-        if (!SIGNED) System.out.println("No key: the bundle has no signatures, and Maven Central would refuse it");
+    void theBundleHasSignaturesIfThereIsAKey() {
+        if (!SIGNED) System.out.println("No key: the bundle has no signatures, which Maven Central requires");
         for (String file : FILES) {
             byte[] signature = bundle.get(STEM + file + ".asc");
             assertEquals(SIGNED, signature != null, file);
@@ -89,7 +89,7 @@ class BundleIT {
     }
 
     @Test
-    void theJarHoldsTheLibraryAndNothingElse() throws IOException {
+    void theJarHasOnlyTheLibrary() throws IOException {
         Set<String> found = new TreeSet<>();
         for (String entry : jar.keySet()) {
             if (entry.endsWith(".class")) found.add(entry.replaceFirst("(\\$\\w+)?\\.class$", ".java"));
@@ -101,7 +101,7 @@ class BundleIT {
     }
 
     @Test
-    void theJarIsAModuleThatRequiresJavaBaseAlone() throws IOException {
+    void theJarIsAModuleThatRequiresOnlyJavaBase() throws IOException {
         ModuleDescriptor module = ModuleDescriptor.read(new ByteArrayInputStream(jar.get("module-info.class")));
         assertEquals("yarts.physics", module.name());
         assertEquals(
@@ -121,7 +121,7 @@ class BundleIT {
     }
 
     @Test
-    void theJarSaysItsVersionAndLicence() throws IOException {
+    void theJarHasItsVersionAndLicence() throws IOException {
         var manifest = new Manifest(new ByteArrayInputStream(jar.get("META-INF/MANIFEST.MF"))).getMainAttributes();
         assertEquals("yarts-physics", manifest.getValue("Implementation-Title"));
         assertEquals(VERSION, manifest.getValue("Implementation-Version"));
@@ -154,7 +154,7 @@ class BundleIT {
     }
 
     @Test
-    void thePomSaysWhatMavenCentralAsksFor() throws Exception {
+    void thePomHasTheElementsThatMavenCentralRequires() throws Exception {
         Document pom = parse(".pom");
         assertEquals("io.github.yarts", text(pom, "/project/groupId"));
         assertEquals("yarts-physics", text(pom, "/project/artifactId"));
@@ -177,7 +177,7 @@ class BundleIT {
     }
 
     @Test
-    void thePomBringsNoDependenciesAndNoRepositories() throws Exception {
+    void thePomHasNoDependenciesAndNoRepositories() throws Exception {
         Document pom = parse(".pom");
         assertFalse(all(pom, "/project/dependencies/dependency").isEmpty());
         assertEquals(List.of(), all(pom, "/project/dependencies/dependency[not(scope = 'test')]/artifactId"));

@@ -19,15 +19,15 @@ import yarts.physics.Timestep;
 import yarts.physics.World;
 import yarts.physics.support.Churn;
 
-/** Bytes that are cut, damaged or made up are refused, or are a state like any other; and cost little either way. */
+/** Bytes that are truncated, damaged or invented cause an exception or are a valid state, and use little memory. */
 class HostileBytesTest {
-    /** What reading takes besides twice the size of the bytes, an exception's stack trace included. */
+    /** The allowed memory in addition to twice the size of the bytes, including the stack trace of an exception. */
     private static final int SMALL = 14 * 1024;
 
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     @Test
-    void everyLengthButTheRightOneIsRefused() {
+    void everyWrongLengthThrows() {
         byte[] save = Saves.save(100);
         for (int length = 0; length < save.length + 300; length++) {
             if (length == save.length) continue;
@@ -38,7 +38,7 @@ class HostileBytesTest {
     }
 
     @Test
-    void everyFlipOfABitIsRefused() {
+    void everyFlippedBitThrows() {
         byte[] save = Saves.save(100);
         for (int bit = 0; bit < 8 * save.length; bit++) {
             save[bit / 8] ^= (byte) (1 << bit % 8);
@@ -49,7 +49,7 @@ class HostileBytesTest {
     }
 
     @Test
-    void countsThatDoNotFitAreRefusedBeforeRoomIsMade() {
+    void wrongNumbersOfUnitsThrowBeforeMemoryIsAllocated() {
         for (int units : new int[] {0, 1, 100}) {
             byte[] save = Saves.save(units);
             int fit = units;
@@ -76,7 +76,7 @@ class HostileBytesTest {
     }
 
     @Test
-    void readingTakesAtMostTwiceTheSize() {
+    void readingAllocatesAtMostTwiceTheSize() {
         IntStream.concat(IntStream.of(Tiles.sizes()), IntStream.of(2, 10, 63, 64, 65, 100, 100_000))
                 .forEach(units -> {
                     byte[] save = Saves.save(units);
@@ -85,13 +85,13 @@ class HostileBytesTest {
     }
 
     @Test
-    void mutationsAreRefusedOrHarmless() {
+    void mutationsThrowOrAreSound() {
         mutate(1, 20_000);
     }
 
     @Test
     @Tag("long")
-    void aMillionMutationsAreRefusedOrHarmless() {
+    void aMillionMutationsThrowOrAreSound() {
         mutate(2, 1_000_000);
     }
 
@@ -147,7 +147,7 @@ class HostileBytesTest {
         Double.NEGATIVE_INFINITY,
     };
 
-    /** A save with one to four changes of all sorts, and the right checksum. */
+    /** A snapshot with one to four random changes of any kind, and the right checksum. */
     private static byte[] mutant(byte[] save, SplittableRandom random) {
         byte[] mutant = save.clone();
         for (int changes = 1 + random.nextInt(4); changes > 0; changes--) {
@@ -171,7 +171,7 @@ class HostileBytesTest {
                 case 5:
                     System.arraycopy(save, other, mutant, word, Math.min(8, mutant.length - word));
                     break;
-                default: // a unit more, or fewer
+                default: // one unit more, or fewer
                     if (random.nextInt(4) > 0) break;
                     mutant = Arrays.copyOf(
                             mutant,
@@ -184,7 +184,7 @@ class HostileBytesTest {
         return Saves.repair(mutant);
     }
 
-    /** {@return the bytes that reading takes} The fewer of two: the JVM links a message's code when it is first used. */
+    /** {@return the bytes that reading allocates} The fewer of two, because the JVM links code at its first use. */
     private static long allocated(byte[] save) {
         long fewest = Long.MAX_VALUE, thread = Thread.currentThread().getId();
         for (int i = 0; i < 2; i++) {

@@ -21,7 +21,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** The bytes of snapshots, taken apart by what docs/snapshots.md says of them. */
+/** The bytes of snapshots, read as the tables of docs/snapshots.md describe them. */
 public final class Saves {
     public static final int CRC = 4, HEADER = length(0) - CRC, RECORD = length(1) - length(0);
 
@@ -31,7 +31,7 @@ public final class Saves {
         return world.save().toBytes().length;
     }
 
-    /** Where a value is, and its type: byte, short, int, long, double. */
+    /** The offset, size and type of a value: byte, short, int, long, double. */
     public record Place(int offset, int size, String type) {
         void put(byte[] save, Number value) {
             ByteBuffer bytes = order(save);
@@ -42,7 +42,7 @@ public final class Saves {
             else bytes.put(offset, value.byteValue());
         }
 
-        /** Of a value of 8 bytes. */
+        /** The bits of a value of 8 bytes. */
         long bits(byte[] save) {
             return order(save).getLong(offset);
         }
@@ -64,7 +64,7 @@ public final class Saves {
 
     private Saves() {}
 
-    /** {@return what a unit says of a value of its record} */
+    /** {@return a value of a unit's record, from the unit} */
     public static double state(Unit unit, String name) {
         switch (name) {
             case "x":
@@ -132,7 +132,7 @@ public final class Saves {
         return ByteBuffer.wrap(save).order(ByteOrder.LITTLE_ENDIAN);
     }
 
-    /** Makes the checksum right. */
+    /** Corrects the checksum. */
     public static byte[] repair(byte[] save) {
         CRC32 crc = new CRC32();
         crc.update(save, 0, save.length - CRC);
@@ -154,7 +154,10 @@ public final class Saves {
         return world;
     }
 
-    /** A save of some units with forces held and impulses pending, some with motors, some frozen, interpolated if steps are fixed. */
+    /**
+     * A snapshot of units with waiting forces and pending impulses, some with motors, some frozen, interpolated if
+     * steps are fixed.
+     */
     public static byte[] save(int units, Timestep timestep) {
         World world = new World(Integrator.EXACT, timestep);
         for (int i = 1; i <= units; i++) {
@@ -174,13 +177,13 @@ public final class Saves {
         return save(units, Timestep.fixed(60));
     }
 
-    /** {@return with what message it is refused} */
+    /** {@return the message of the exception that the bytes cause} */
     public static String refused(byte[] save) {
         return assertThrows(IllegalArgumentException.class, () -> Snapshot.fromBytes(save))
                 .getMessage();
     }
 
-    /** It writes what it was read from, and a world goes on from it with finite numbers. */
+    /** Checks that a snapshot writes the bytes from which it was read, and that a restored world has finite numbers. */
     public static void assertSound(Snapshot snapshot) {
         World world = restored(snapshot);
         Snapshot again = Snapshot.fromBytes(snapshot.toBytes());
@@ -212,7 +215,7 @@ public final class Saves {
                 assertTrue(Double.isFinite(unit.getInterpolatedY(alpha)));
             }
             for (double v : new double[] {unit.getVx(), unit.getVy()}) {
-                assertTrue(v == 0 || Math.abs(v) >= Double.MIN_NORMAL, "a velocity that is subnormal: " + v);
+                assertTrue(v == 0 || Math.abs(v) >= Double.MIN_NORMAL, "a subnormal velocity: " + v);
             }
             assertTrue(unit.getSpeed() <= unit.getMaxSpeed());
         }

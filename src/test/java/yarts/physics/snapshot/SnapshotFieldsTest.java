@@ -19,14 +19,14 @@ import yarts.physics.World;
 import yarts.physics.support.Churn;
 
 /**
- * Not one value of the bytes may be left out of save, restore, toBytes, fromBytes, stateHash and difference. A value is
- * changed where the document says that it is, and restored into a world that has seen something else.
+ * save, restore, toBytes, fromBytes, stateHash and difference must include each value of the bytes. The test changes a
+ * value at the offset in the document, and restores it into a world with another history.
  */
 class SnapshotFieldsTest {
-    /** The unit that is changed. */
+    /** The index of the changed unit. */
     private static final int INDEX = 2;
 
-    /** What says how to read the rest, or cannot change alone. */
+    /** Values that say how to read the others, or that cannot change alone. */
     private static final Set<String> FRAME = Set.of("magic", "version", "count", "padding", "padding again");
 
     static Stream<String> values() {
@@ -45,7 +45,7 @@ class SnapshotFieldsTest {
         return world;
     }
 
-    /** Changes a value as little as it can be alone; a rate needs another maxStep. */
+    /** Changes a value by as little as possible; another rate needs another maxStep. */
     private static void change(byte[] save, String name) {
         Map<String, Saves.Place> places = Saves.places(INDEX);
         Saves.Place place = places.get(name);
@@ -76,7 +76,7 @@ class SnapshotFieldsTest {
         Saves.repair(save);
     }
 
-    /** As a difference names it. */
+    /** The start of the line in a difference. */
     private static String line(String name) {
         if (List.of("rate", "maxStep", "maxSteps").contains(name)) return "timestep: ";
         if (name.equals("id")) return "unit 3: ";
@@ -85,7 +85,7 @@ class SnapshotFieldsTest {
 
     @ParameterizedTest
     @MethodSource("values")
-    void isPartOfEverything(String name) {
+    void everyCallIncludesTheValue(String name) {
         World world = world();
         Snapshot before = world.save();
         byte[] bytes = before.toBytes();
@@ -106,7 +106,7 @@ class SnapshotFieldsTest {
         assertArrayEquals(bytes, world.save().toBytes(), "restore, or save");
         if (Saves.STATE.contains(name)) {
             Saves.Place place = Saves.places(INDEX).get(name);
-            assertEquals(place.get(bytes), Saves.state(world.get(INDEX), name), "what the unit says");
+            assertEquals(place.get(bytes), Saves.state(world.get(INDEX), name), "the value of the unit");
         }
 
         Snapshot used = world.save();

@@ -20,34 +20,37 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 
 /**
- * The format of version 1: where each value is, and a file of it that must load for ever. The file was written once, by
- * {@link #main}, and stays as it is.
+ * The format of version 1: the offset of each value, and a file that every later version must read. {@link #main} wrote
+ * the file once; it must not change.
  */
 class SnapshotFormatTest {
     private static final byte[] MAGIC = "YARTSPHY".getBytes(StandardCharsets.US_ASCII);
 
-    /** Six units: forces for the next advance and the next step, impulses pending, interpolation, no top speed, one pinned, one frozen, one removed. */
+    /**
+     * Six units: forces for the next advance and the next step, pending impulses, interpolation, no top speed, one
+     * pinned, one frozen, one removed.
+     */
     private static World world() {
         World world = new World(Integrator.MIDPOINT, Timestep.fixed(50).withMaxSteps(3));
         for (int i = 1; i <= 7; i++) world.add(new Unit(i).setPosition(i, -i).setVelocity(10 * i, i / 4.0));
         world.find(1).setFriction(0.5).setMaxSpeed(2);
         world.find(2).setMaxSpeed(0);
         world.find(4).setMass(1e50).setFriction(1e-50).setPosition(1e300, -1e-300);
-        world.remove(world.find(3)); // 7 takes its place
+        world.remove(world.find(3)); // 7 takes its index
         world.step(0.25);
         world.find(7).setFrozen(true);
         world.find(5).applyForce(8, -16);
         world.addAfterStep((w, dt) -> w.find(1).applyForce(w.getTick() == 4 ? 3 : 0, w.getTick() == 4 ? -4 : 0));
-        world.advance(0.105); // five steps fall due, three are run, a quarter of one remains
+        world.advance(0.105); // five steps are due, three run, and a quarter of one remains
         world.advance(0x1p-40); // not a whole billionth of a step
         world.find(6).applyForce(0.5, 1024);
         return world;
     }
 
     /**
-     * Writes a file such as the tests' resource.
+     * Writes a file like the resource of the tests.
      *
-     * @param args where to
+     * @param args the path of the file
      */
     public static void main(String[] args) throws IOException {
         Files.write(Path.of(args[0]), Saves.of(world()));
@@ -59,9 +62,9 @@ class SnapshotFormatTest {
         }
     }
 
-    /** Whatever becomes of the library, these values stay: do not write the file anew to make this pass. */
+    /** These values never change: do not write the file again to make this test pass. */
     @Test
-    void theFileOfVersion1LoadsForEver() throws IOException {
+    void theFileOfVersion1CanBeRead() throws IOException {
         Snapshot snapshot = Snapshot.fromBytes(file());
         assertArrayEquals(file(), snapshot.toBytes());
         World world = Saves.restored(snapshot);
@@ -127,15 +130,15 @@ class SnapshotFormatTest {
     }
 
     @Test
-    void theDocumentSaysHowLongItIs() throws IOException {
+    void theDocumentHasTheLength() throws IOException {
         String length = Saves.HEADER + Saves.CRC + " + " + Saves.RECORD + "·n bytes";
         assertTrue(Files.readString(Path.of("docs/snapshots.md")).contains(length), length);
         assertEquals(Saves.HEADER + 6 * Saves.RECORD + Saves.CRC, Saves.of(world()).length);
     }
 
-    /** The bytes as one would write them who has read the document alone. */
+    /** The offsets are those that a reader of the document expects. */
     @Test
-    void everyValueIsWhereTheDocumentSays() {
+    void everyValueIsAtTheOffsetInTheDocument() {
         World world = world();
         byte[] save = new byte[Saves.HEADER + 6 * Saves.RECORD + Saves.CRC];
         Number[] header = {
@@ -147,7 +150,7 @@ class SnapshotFormatTest {
                 String name = entry.getKey();
                 Saves.Place place = entry.getValue();
                 if (name.equals("id")) end += i * Saves.RECORD;
-                assertEquals(end, place.offset(), name + " comes after what is before it");
+                assertEquals(end, place.offset(), name + " does not follow the value before it");
                 end += place.size();
                 if (name.equals("magic")) System.arraycopy(MAGIC, 0, save, 0, 8);
                 else if (end <= Saves.HEADER) place.put(save, header[value]);

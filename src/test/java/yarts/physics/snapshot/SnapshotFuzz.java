@@ -4,13 +4,13 @@ import java.util.List;
 import yarts.physics.Snapshot;
 
 /**
- * Any bytes as a snapshot: refused, or sound. For a fuzzer, which looks for bytes that take new ways through the library;
- * since it cannot guess a checksum, the bytes are tried with the right one, too.
+ * Reads bytes as a snapshot, which must throw or give a sound one. A fuzzer searches for bytes that lead to new paths
+ * through the library. Because it cannot guess a checksum, the bytes are also tried with the right one.
  */
 public final class SnapshotFuzz {
     private SnapshotFuzz() {}
 
-    /** What the fuzzer calls. */
+    /** The entry point of the fuzzer. */
     public static void fuzzerTestOneInput(byte[] bytes) {
         check(bytes);
         if (bytes.length >= Saves.HEADER + Saves.CRC) check(Saves.repair(bytes.clone()));
@@ -21,12 +21,12 @@ public final class SnapshotFuzz {
         try {
             snapshot = Snapshot.fromBytes(bytes);
         } catch (IllegalArgumentException e) {
-            return; // it says what is wrong
+            return; // with a message, as it must
         }
         if (!isAtItsEnd(bytes)) Saves.assertSound(snapshot);
     }
 
-    /** So near to the most steps or ids that a save can hold, 2^61, that a few more are past it. */
+    /** Whether the tick or the last id is so near to the limit, 2^61, that a few more steps or units exceed it. */
     private static boolean isAtItsEnd(byte[] bytes) {
         for (String name : List.of("tick", "lastId")) {
             if ((Long) Saves.places(0).get(name).get(bytes) > (1L << 61) - 100) return true;

@@ -24,9 +24,9 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Churn;
 
-/** After any history, and whatever happens then, a restored world is the one that was saved: now, and from then on. */
+/** After any history, a restored world has the saved state, and continues as the saved world did. */
 class SnapshotPropertyTest {
-    /** Used again and again, for worlds of all sizes. */
+    /** One snapshot for worlds of all sizes. */
     private static final Snapshot SAVED = new Snapshot();
 
     private record Kind(Integrator integrator, Timestep timestep) {}
@@ -41,7 +41,7 @@ class SnapshotPropertyTest {
     }
 
     @Property(tries = 1000)
-    void aRestoredWorldIsAsIfNothingHadHappened(
+    void aRestoredWorldContinuesAsTheSavedOne(
             @ForAll long seed,
             @ForAll("kinds") Kind kind,
             @ForAll("kinds") Kind otherKind,
@@ -50,12 +50,12 @@ class SnapshotPropertyTest {
             @ForAll @IntRange(max = 20) int after) {
         World world = Churn.world(seed, kind.integrator, kind.timestep, before);
         World undisturbed = Churn.world(seed, kind.integrator, kind.timestep, before);
-        if (seed % 2 == 0) world.find(1); // from here on it keeps the units by id
+        if (seed % 2 == 0) world.find(1); // from here on it has an index of ids
         List<Unit> units = List.copyOf(world.units());
         List<Long> bits = Churn.bits(world);
         long hash = world.stateHash();
         world.save(SAVED);
-        assertEquals(bits, Churn.bits(world), "saving changed the world");
+        assertEquals(bits, Churn.bits(world), "save changed the world");
 
         List<Long> future = new Churn(seed + 2).play(undisturbed, after);
         for (int again = 0; again < 2; again++) {
@@ -79,7 +79,7 @@ class SnapshotPropertyTest {
     }
 
     @Property(tries = 1000)
-    void anotherWorldBecomesTheSame(
+    void anotherWorldContinuesAsTheSavedOneAfterARestore(
             @ForAll long seed,
             @ForAll("kinds") Kind kind,
             @ForAll("kinds") Kind otherKind,
@@ -120,15 +120,15 @@ class SnapshotPropertyTest {
 
     @Property(tries = 10_000)
     @Tag("long")
-    void bothAtLength(
+    void bothHoldForLongGames(
             @ForAll long seed,
             @ForAll("kinds") Kind kind,
             @ForAll("kinds") Kind otherKind,
             @ForAll @IntRange(max = 60) int before,
             @ForAll @IntRange(max = 20) int between,
             @ForAll @IntRange(max = 30) int after) {
-        aRestoredWorldIsAsIfNothingHadHappened(seed, kind, otherKind, before, between, after);
-        anotherWorldBecomesTheSame(seed, kind, otherKind, before, between, after, seed % 5 < 2);
+        aRestoredWorldContinuesAsTheSavedOne(seed, kind, otherKind, before, between, after);
+        anotherWorldContinuesAsTheSavedOneAfterARestore(seed, kind, otherKind, before, between, after, seed % 5 < 2);
     }
 
     @Provide
@@ -159,11 +159,11 @@ class SnapshotPropertyTest {
             assertEquals(
                     List.of(0.0, 0.0, 0.0, 0.0),
                     List.of(unit.getFx(), unit.getFy(), unit.getPendingImpulseX(), unit.getPendingImpulseY()),
-                    "forces have come along");
+                    "a unit that left has forces");
         });
     }
 
-    /** Every unit is found by its id, and nothing by another. */
+    /** Checks that find returns every unit by its id, and null for other ids. */
     private static void assertFound(World world) {
         List<Unit> found = new ArrayList<>();
         long most = 0;

@@ -29,18 +29,18 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Churn;
 
-/** Ids, save and restore by example. After any history: {@link SnapshotPropertyTest}. */
+/** Examples of ids, save and restore. {@link SnapshotPropertyTest} tests them after any history. */
 class SnapshotTest {
     private final World world = new World();
     private final Unit a = world.add(new Unit(1)), b = world.add(new Unit(2)), c = world.add(new Unit(3));
     private final Snapshot saved = Saves.snapshot(world);
 
     @Test
-    void idsCountTheUnitsAddedAndNoneIsGivenTwice() {
+    void idsCountTheAddedUnitsAndAreUnique() {
         assertEquals(0, new Unit(1).getId());
         assertEquals(List.of(1L, 2L, 3L), List.of(a.getId(), b.getId(), c.getId()));
         world.remove(a);
-        assertEquals(1, a.getId(), "kept outside");
+        assertEquals(1, a.getId(), "unchanged outside the world");
         assertNull(world.find(1));
         assertSame(c, world.find(3));
         assertEquals(4, world.add(a).getId());
@@ -53,7 +53,7 @@ class SnapshotTest {
     }
 
     @Test
-    void whatWasAddedLeavesAndWhatWasRemovedIsBack() {
+    void aRestoreRemovesAddedUnitsAndReturnsRemovedOnes() {
         world.remove(a);
         Unit d = world.add(new Unit(4));
         world.step(1);
@@ -63,7 +63,7 @@ class SnapshotTest {
         assertNull(d.getWorld());
         assertEquals(5, d.getX());
         assertEquals(0, world.getTick());
-        assertEquals(4, world.add(d).getId(), "the id is given anew");
+        assertEquals(4, world.add(d).getId(), "the id is used again");
     }
 
     @Test
@@ -79,7 +79,7 @@ class SnapshotTest {
     }
 
     @Test
-    void aSnapshotIsTakenOnceAndRestoredOften() {
+    void aSnapshotCanBeRestoredManyTimes() {
         long hash = world.stateHash();
         for (int i = 0; i < 3; i++) {
             world.clear();
@@ -92,7 +92,7 @@ class SnapshotTest {
     }
 
     @Test
-    void aSnapshotIsUsedAgainForLargerAndSmallerWorlds() {
+    void aSnapshotCanBeSavedIntoAgainByLargerAndSmallerWorlds() {
         IntStream up = IntStream.of(Tiles.sizes()), down = IntStream.of(Tiles.sizes());
         for (int size :
                 IntStream.concat(up, down.map(i -> -i).sorted().map(i -> -i)).toArray()) {
@@ -111,7 +111,7 @@ class SnapshotTest {
     }
 
     @Test
-    void aSnapshotKeepsNoUnitAliveThatItIsNotOf() {
+    void aSnapshotKeepsOnlyItsOwnUnitsAlive() {
         World other = new World();
         for (int i = 0; i < 4; i++) other.add(new Unit(1));
         WeakReference<Unit> unit = new WeakReference<>(other.get(3));
@@ -119,14 +119,14 @@ class SnapshotTest {
         other.clear();
         other.add(new Unit(1));
         other.save(saved);
-        world.save(saved); // three units, and so none in the place of the fourth
+        world.save(saved); // three units, so the snapshot must not refer to the fourth
         for (int i = 0; i < 100 && unit.get() != null; i++) System.gc();
         assertNull(unit.get());
         assertEquals(3, saved.size());
     }
 
     @Test
-    void unitsThatAreMissingInAnotherWorldAreMade() {
+    void theFactoryCreatesUnitsThatAreMissingInAnotherWorld() {
         World other = new World(Integrator.EXACT, Timestep.variable(1));
         Unit first = other.add(new Unit(9)), second = other.add(new Unit(9));
         other.restore(Snapshot.fromBytes(saved.toBytes()));
@@ -140,10 +140,10 @@ class SnapshotTest {
         assertEquals(world.stateHash(), other.stateHash());
     }
 
-    /** A push to the side, which the cap cuts by 170 orders of magnitude, and with it what there was ahead. */
+    /** The cap reduces a sideways push by 170 orders of magnitude, and the forward velocity with it. */
     @ParameterizedTest
     @EnumSource
-    void aVelocityThatTheCapMadeTinyLoadsAsWell(Integrator integrator) {
+    void aVelocityThatTheCapHasMadeTinyCanBeRead(Integrator integrator) {
         World other = new World(integrator, Timestep.fixed(60));
         Unit ahead = other.add(new Unit(1).setMaxSpeed(1e-140).setVelocity(0, 9e-141));
         Unit aside = other.add(new Unit(1).setMaxSpeed(1e-140).setVelocity(9e-141, 0));
@@ -171,11 +171,11 @@ class SnapshotTest {
         assertArrayEquals(zero, Snapshot.fromBytes(minus).toBytes());
         World other = new World(Integrator.EULER, Timestep.fixed(20));
         other.add(new Unit(1)).applyForce(-5, 0);
-        other.advance(0.05); // a whole step, so that −5 · 0 is pending
+        other.advance(0.05); // a whole step, so that the pending impulse is −5 · 0
         assertEquals(0L, Saves.places(0).get("pendingX").bits(Saves.of(other)));
     }
 
-    /** On its way to rest, too: subnormal numbers are slow. Frost and the cap do not change that. */
+    /** Also below the rest threshold, with frozen and capped units. (Subnormal numbers are slow.) */
     @ParameterizedTest
     @EnumSource
     void aVelocityIsNeverSubnormal(Integrator integrator) {
@@ -196,13 +196,13 @@ class SnapshotTest {
             if (i % 3 == 0) other.get(i).setFrozen(i % 2 == 0);
             other.step();
         }
-        assertTrue(resting > 50, resting + " on their way to rest");
+        assertTrue(resting > 50, resting + " units below the rest threshold");
     }
 
-    /** A frozen unit that was on its way to rest, alone and beside one that moves: no unit acts on another. */
+    /** A frozen unit below the rest threshold, alone and beside one that moves. */
     @ParameterizedTest
     @EnumSource
-    void aFrozenUnitIsTheSameBesideAnyOther(Integrator integrator) {
+    void aFrozenUnitHasTheSameBitsBesideAnyOther(Integrator integrator) {
         World alone = new World(integrator, Timestep.fixed(60)), beside = new World(integrator, Timestep.fixed(60));
         for (World each : List.of(alone, beside)) {
             Unit unit = each.add(new Unit(1).setFriction(3).setVelocity(0x1.01p-500, 0x1.8p-500));
@@ -218,9 +218,9 @@ class SnapshotTest {
         }
     }
 
-    /** They left in the first of two steps, and with them the forces that the second was to have. */
+    /** They left after the first of two steps, and lost the forces of the second. */
     @Test
-    void unitsThatComeBackBringNoForcesOfAFrameLongOver() {
+    void unitsThatARestoreReturnsHaveNoForcesOfEarlierFrames() {
         World other = new World();
         Unit stays = other.add(new Unit(1));
         List<Unit> leave = List.of(other.add(new Unit(1)), other.add(new Unit(1)));
@@ -239,7 +239,7 @@ class SnapshotTest {
     }
 
     @Test
-    void listenerAndPoolAreTheWorldsOwn() {
+    void aRestoreDoesNotChangeListenersAndPool() {
         List<World> stepped = new ArrayList<>();
         world.addBeforeStep((w, dt) -> stepped.add(w));
         world.restore(saved);
@@ -252,7 +252,7 @@ class SnapshotTest {
     }
 
     @Test
-    void iteratorsFailFastIfUnitsCameOrWent() {
+    void iteratorsFailAfterARestoreThatChangesTheUnits() {
         world.remove(c);
         Iterator<Unit> units = world.iterator();
         world.restore(saved);
@@ -281,7 +281,7 @@ class SnapshotTest {
     }
 
     @Test
-    void aDifferenceShowsAHundredLines() {
+    void aDifferenceHasAtMostAHundredLines() {
         for (int i = 0; i < 500; i++) world.add(new Unit(1));
         String lines = saved.difference(Saves.snapshot(world));
         assertEquals(101, lines.lines().count());
@@ -289,7 +289,7 @@ class SnapshotTest {
     }
 
     @Test
-    void aDifferenceOfJustAHundredLinesShowsAll() {
+    void aDifferenceOfExactlyAHundredLinesShowsAll() {
         for (int i = 0; i < 98; i++) world.add(new Unit(1)); // and lastId, and size
         String lines = saved.difference(Saves.snapshot(world));
         assertEquals(100, lines.lines().count());
@@ -299,9 +299,9 @@ class SnapshotTest {
                 lines);
     }
 
-    /** Counts as counts, times as times. */
+    /** Counts are shown as integers, times as doubles. */
     @Test
-    void aDifferenceOfTimeIsTold() {
+    void aDifferenceContainsTheTime() {
         World now = new World(Integrator.EULER, Timestep.fixed(4)),
                 later = new World(Integrator.EULER, Timestep.fixed(4));
         later.step(0.5);

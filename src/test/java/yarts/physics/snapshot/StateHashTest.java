@@ -17,14 +17,16 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** All that a world's future depends on is in its hash, to the bit. Bits are changed where the document says they are. */
+/**
+ * The hash includes everything on which the future of a world depends. Bits are changed at the offsets in the document.
+ */
 class StateHashTest {
     private static final int UNITS = 20;
 
     private final World world = world();
     private final long hash = world.stateHash();
 
-    /** Units with forces held and impulses pending, and interpolated; every value of some is other than 0. */
+    /** Interpolated units with waiting forces and pending impulses; in some units no value is 0. */
     private static World world() {
         World world = new World(Integrator.EXACT, Timestep.fixed(60));
         for (int i = 1; i <= UNITS; i++) {
@@ -38,9 +40,9 @@ class StateHashTest {
         return world;
     }
 
-    /** A bit changed anywhere is another hash than any other, or makes bytes that are refused. */
+    /** A changed bit gives a new hash, or bytes that cause an exception. */
     @Test
-    void everyBitShows() {
+    void everyBitChangesTheHash() {
         byte[] save = Saves.of(world);
         Saves.places(0).get("lastId").put(save, (1L << 61) - 1);
         World target = Saves.restored(Snapshot.fromBytes(Saves.repair(save)));
@@ -62,7 +64,7 @@ class StateHashTest {
             }
         }
         for (String name : Saves.STATE) {
-            if (name.equals("frozen")) continue; // 1 is ten bits away from 0: see SnapshotFieldsTest
+            if (name.equals("frozen")) continue; // 0.0 and 1.0 differ in ten bits: see SnapshotFieldsTest
             int least = name.matches("mass|v[xy]|f[xy]|waiting.|pending.|motor.+") ? 54 : 60;
             assertTrue(shown.get(name) >= UNITS * least, name + ": " + shown);
         }
@@ -85,9 +87,9 @@ class StateHashTest {
         }
     }
 
-    /** Positions on a grid, as games have them: numbers of few digits. */
+    /** Positions on a grid: numbers with few digits, as in games. */
     @Test
-    void wholeNumbersShow() {
+    void wholeNumbersChangeTheHash() {
         Map<Long, String> hashes = new HashMap<>();
         List<String> same = new ArrayList<>();
         Unit unit = new Unit(1);
@@ -104,7 +106,7 @@ class StateHashTest {
     }
 
     @Test
-    void integratorAndTimestepShow() {
+    void integratorAndTimestepChangeTheHash() {
         Set<Long> hashes = new HashSet<>();
         for (Integrator integrator : Integrator.values()) {
             for (Timestep timestep : List.of(
@@ -126,7 +128,7 @@ class StateHashTest {
     }
 
     @Test
-    void orderTimeAndForcesShow() {
+    void orderTimeAndForcesChangeTheHash() {
         Set<Long> hashes = new HashSet<>(Set.of(hash));
         byte[] save = Saves.of(world), swapped = save.clone();
         int third = Saves.HEADER + 3 * Saves.RECORD, last = Saves.HEADER + (UNITS - 1) * Saves.RECORD;
@@ -140,20 +142,20 @@ class StateHashTest {
         unit.applyForce(1e-9, 0);
         assertTrue(hashes.add(world.stateHash()), "a force");
         world.remove(world.add(new Unit(1)));
-        assertTrue(hashes.add(world.stateHash()), "an id that was given");
+        assertTrue(hashes.add(world.stateHash()), "a used id");
         world.step(0);
-        assertTrue(hashes.add(world.stateHash()), "a step of no time");
+        assertTrue(hashes.add(world.stateHash()), "a step of 0 s");
         world.advance(1e-9);
         assertTrue(hashes.add(world.stateHash()), "a nanosecond");
         world.advance(0x1p-60);
-        assertTrue(hashes.add(world.stateHash()), "what rounding leaves out of it");
+        assertTrue(hashes.add(world.stateHash()), "its rounding error");
         world.clear();
         assertTrue(hashes.add(world.stateHash()), "no units");
     }
 
-    /** Forces that were taken back leave no trace, though the table has been told to look for some; nor does frost. */
+    /** Neither discarded forces, though flags of the table stay set, nor a freeze and a release change the hash. */
     @Test
-    void whatWasTakenBackDoesNotShow() {
+    void discardedForcesDoNotChangeTheHash() {
         World other = world();
         for (World each : List.of(world, other)) {
             for (Unit unit : each) unit.clearForces();

@@ -16,22 +16,22 @@ import yarts.physics.World;
 import yarts.physics.support.Churn;
 
 /**
- * The test that finds what would come apart over a network, on one machine: in every tick go back eight ticks, replay the
- * same orders, and compare the hashes with those of the first time.
+ * Finds causes of desyncs on one machine: in every tick, goes back eight ticks, replays the same orders, and compares
+ * the hashes with the first ones.
  *
- * <p>Orders are worked out from the tick, as if they had been recorded, and name units by id. In a replay the units that
- * they add are other objects with the same ids.
+ * <p>Orders follow from the tick, as if they had been recorded, and name units by id. In a replay, the units that they
+ * add are other objects with the same ids.
  */
 class SyncTest {
     private static final int BACK = 8;
     private static final int NONE = -1;
 
-    /** What a tick does: reads the orders for it, gives them to the units, and steps. */
+    /** A tick: reads its orders, gives them to the units, and steps. */
     private interface Game {
         void tick(World world, long tick);
     }
 
-    /** {@return the first tick after which a replay's hash is another, or NONE} */
+    /** {@return the first tick after which a replay has another hash, or NONE} */
     private static long firstMismatch(World world, Game game, int ticks) {
         Snapshot[] past = Stream.generate(Snapshot::new).limit(BACK).toArray(Snapshot[]::new);
         long[] hashes = new long[BACK];
@@ -42,7 +42,7 @@ class SyncTest {
             int start = Math.max(0, now - BACK + 1);
             world.restore(past[start % BACK]);
             for (int tick = start; tick <= now; tick++) {
-                world.save(past[tick % BACK]); // with the units that this replay makes
+                world.save(past[tick % BACK]); // with the units that this replay creates
                 game.tick(world, tick);
                 if (world.stateHash() != hashes[tick % BACK]) return tick;
             }
@@ -54,7 +54,7 @@ class SyncTest {
         return new World(integrator, Timestep.fixed(60));
     }
 
-    /** Some dozens of units, of which a few come, go and change in each tick. */
+    /** Some dozens of units; in each tick, a few join, leave and change. */
     private static void skirmish(World world, long tick) {
         new Churn(tick, 50, 30).frame(world);
     }
@@ -66,19 +66,19 @@ class SyncTest {
         assertEquals(NONE, firstMismatch(world, SyncTest::skirmish, 2000));
         assertTrue(world.getTick() > 1500, world.getTick() + " steps");
         long added = world.add(new Unit(1)).getId();
-        assertTrue(added > 2000 && added > 20L * world.size(), "units come and go: " + added);
+        assertTrue(added > 2000 && added > 20L * world.size(), "too few units joined and left: " + added);
     }
 
     @ParameterizedTest
     @EnumSource
     @Tag("long")
-    void everyReplayHasTheSameHashesForLong(Integrator integrator) {
+    void everyReplayOfALongGameHasTheSameHashes(Integrator integrator) {
         assertEquals(NONE, firstMismatch(world(integrator), SyncTest::skirmish, 100_000));
     }
 
-    /** An order that depends on how often it was carried out, from tick 1234 on. */
+    /** From tick 1234 on, an order depends on how often it was executed. */
     @Test
-    void whatIsKeptBesideTheWorldIsFound() {
+    void stateOutsideTheWorldIsDetected() {
         int[] calls = {0};
         Game game = (world, tick) -> {
             skirmish(world, tick);
@@ -87,15 +87,15 @@ class SyncTest {
         assertEquals(1234, firstMismatch(world(Integrator.EXACT), game, 2000));
     }
 
-    /** The same units, in another order. */
+    /** The same units are used in another order. */
     @Test
-    void anotherOrderIsFound() {
+    void anotherOrderOfUnitsIsDetected() {
         int[] calls = {0};
         Game game = (world, tick) -> {
             skirmish(world, tick);
             if (tick != 700) return;
             Unit a = new Unit(3), b = new Unit(4);
-            boolean swap = calls[0]++ % 2 == 1; // as a hash map of objects may
+            boolean swap = calls[0]++ % 2 == 1; // as a hash map of objects can
             world.add(swap ? b : a);
             world.add(swap ? a : b);
         };

@@ -7,9 +7,9 @@ import yarts.physics.World;
 import yarts.physics.support.Churn;
 
 /**
- * Plays a game of 10,000 units for some seconds as fast as it goes: in each frame orders of every kind, with saves and
- * restores, arrivals and departures, then some steps under forces, which are timed. It prints the hash of the world every so
- * many frames, and for every part of the time how long a step took and how much memory is in use.
+ * Plays a game of 10,000 units for some seconds as fast as possible. Each frame has orders of every kind, saves and
+ * restores, units that join and leave, and then some timed steps under forces. At intervals it prints the hash of the
+ * world; for each part of the run it prints the duration of a step and the memory in use.
  */
 final class SoakMain {
     private static final int UNITS = 10_000, PARTS = 20, STEPS = 8, HASH_EVERY = 10;
@@ -24,7 +24,7 @@ final class SoakMain {
             if (count < ns.length) ns[count++] = t;
         }
 
-        /** {@return that of which a part of the samples are not longer} The samples are gone then, at 1. */
+        /** {@return a quantile of the samples; 1 is the longest} */
         long quantile(double part) {
             Arrays.sort(ns, 0, count);
             return count == 0 ? 0 : ns[(int) Math.min(count - 1L, (long) (part * count))];

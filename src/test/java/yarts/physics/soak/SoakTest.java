@@ -10,8 +10,8 @@ import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 
 /**
- * A long game, twice at the same time, each in a JVM with a small heap: one hash, and no more memory at the end than at
- * first. Here it is short; {@code -Dsoak.seconds=1200} makes it long, and shows how the time of a step changes.
+ * A long game in two JVMs with a small heap at the same time. The hashes must be equal, and the memory in use must not
+ * grow. By default the game is short; {@code -Dsoak.seconds=1200} makes it long and prints the time of a step.
  */
 class SoakTest {
     private static final long SECONDS = Long.getLong("soak.seconds", 4);
@@ -61,7 +61,7 @@ class SoakTest {
                 System.out.println("part, ticks, ns of a step of 10,000 units: median, 99 %, longest; bytes in use");
                 parts.forEach(System.out::println);
             }
-            // The world grows and shrinks; what leaks only grows.
+            // The memory of the world grows and shrinks; a leak only grows.
             long most = bytes(parts, 6, 10).max().orElseThrow(),
                     least = bytes(parts, 16, 20).min().orElseThrow();
             assertTrue(least < most + (1 << 20), least + " bytes are in use at the end, and " + most + " were before");
@@ -69,7 +69,7 @@ class SoakTest {
         if (SECONDS > 60) System.out.println(common + " common hashes, the last " + hashes.get(common - 1));
     }
 
-    /** What is in use in some parts. */
+    /** The memory in use in some parts of the run. */
     private static LongStream bytes(List<String> parts, int from, int to) {
         return parts.subList(from - 1, to).stream().mapToLong(part -> Long.parseLong(part.split(" ", -1)[6]));
     }

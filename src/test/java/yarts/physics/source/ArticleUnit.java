@@ -1,10 +1,10 @@
 package yarts.physics.source;
 
 /**
- * The unit of "Y*A*R*T*S (Yet Another Real Time Strategy game)" before its cure: the rules of the physics chapter in
- * the order it gives them, in our own code. Friction is one more force, −f·v, worked out from the velocity at the start
- * of the step. That is the jitters: over a step with f·dt/m > 1 it is larger than what would stop the unit, and turns
- * it round.
+ * The unit of "Y*A*R*T*S (Yet Another Real Time Strategy game)" before its correction: the rules of the physics chapter
+ * in their order, in our own code. Friction is one more force, −f·v, computed from the velocity at the start of the
+ * step. This causes the jitters: in a step with f·dt/m > 1, friction is larger than the force that would stop the unit,
+ * and reverses it.
  */
 public final class ArticleUnit {
     public double x, y, vx, vy, fx, fy;
@@ -21,14 +21,16 @@ public final class ArticleUnit {
         this.fy += fy;
     }
 
-    /** The first rule: the position moves by the velocity the step starts with, then the force changes the velocity. */
+    /**
+     * The first rule: the velocity at the start of the step changes the position; then the force changes the velocity.
+     */
     public void integrate(double dt) {
         x += vx * dt;
         y += vy * dt;
         accelerate(dt);
     }
 
-    /** The better rule: the position moves by the average of the velocities before and after. */
+    /** The better rule: the average of the velocities before and after the step changes the position. */
     public void integrateMidpoint(double dt) {
         double vx0 = vx;
         double vy0 = vy;

@@ -12,8 +12,8 @@ import yarts.physics.Unit;
 import yarts.physics.support.Doubles;
 
 /**
- * The jitter bug, reproduced on {@link ArticleUnit}: what z = f·dt/m does to a unit whose friction is one more force.
- * Every property then puts the same unit through the library, which shows none of it.
+ * The jitters, reproduced with {@link ArticleUnit}: the effect of z = f·dt/m on a unit whose friction is one more
+ * force. Every property then checks that the same unit in the library has no jitters.
  */
 class JittersPropertyTest {
     /** A million miles an hour; in m/s. */
@@ -50,7 +50,7 @@ class JittersPropertyTest {
     }
 
     @Property
-    void zBetweenOneAndTwoFlipsTheSignInEveryStepAndSlows(
+    void zBetweenOneAndTwoChangesTheSignInEveryStepAndSlowsTheUnit(
             @ForAll("masses") double mass,
             @ForAll("times") double dt,
             @ForAll("speeds") double v,
@@ -66,7 +66,7 @@ class JittersPropertyTest {
     }
 
     @Property
-    void zOverTwoGrowsWithoutBound(
+    void withZAboveTwoTheSpeedGrowsWithoutBound(
             @ForAll("masses") double mass,
             @ForAll("times") double dt,
             @ForAll("speeds") double v,
@@ -82,7 +82,7 @@ class JittersPropertyTest {
     }
 
     @Property
-    void moreFrictionThrowsTheUnitBackFaster(
+    void moreFrictionReversesTheUnitToAHigherSpeed(
             @ForAll("masses") double mass,
             @ForAll("times") double dt,
             @ForAll("speeds") double v,
@@ -98,7 +98,7 @@ class JittersPropertyTest {
     }
 
     @Property
-    void anUncappedUnitLightlyPushedPassesAMillionMilesAnHour(
+    void aLightPushAcceleratesAnUncappedUnitBeyondAMillionMilesAnHour(
             @ForAll("masses") double mass, @ForAll("times") double dt, @ForAll("growing") double z) {
         ArticleUnit article = article(mass, dt, z, 0);
         double push = 1e-3 * mass / dt; // for one step: a millimetre a second
@@ -112,7 +112,7 @@ class JittersPropertyTest {
     }
 
     @Property
-    void aCapBoundsTheSpeedButTheUnitJittersOn(
+    void aCapBoundsTheSpeedButTheUnitContinuesToJitter(
             @ForAll("masses") double mass,
             @ForAll("times") double dt,
             @ForAll("speeds") double cap,
@@ -124,12 +124,12 @@ class JittersPropertyTest {
             article.integrate(dt);
             assertEquals(-Math.signum(before), Math.signum(article.vx), "from " + before + " to " + article.vx);
             assertTrue(Math.abs(article.vx) <= cap * (1 + 1e-15), "v = " + article.vx);
-            assertTrue(Math.abs(article.vx) > cap / 2 * (1 - 1e-12), "and it does not calm down: " + article.vx);
+            assertTrue(Math.abs(article.vx) > cap / 2 * (1 - 1e-12), "the oscillation decays: " + article.vx);
         }
     }
 
     @Property
-    void aConstantPushMakesItOscillateAboutTheTerminalSpeed(
+    void underAConstantPushTheUnitOscillatesAroundTheTerminalSpeed(
             @ForAll("masses") double mass,
             @ForAll("times") double dt,
             @ForAll("speeds") double terminal,
@@ -154,7 +154,7 @@ class JittersPropertyTest {
         return article;
     }
 
-    /** In the library, every step goes from v towards F/f, and not past it. */
+    /** In the library, every step moves v towards F/f, and not past it. */
     private static void assertSteady(double mass, double dt, double z, double v, double force) {
         for (Integrator integrator : Integrator.values()) {
             Unit unit = new Unit(mass).setFriction(z * mass / dt).setVelocity(v, 0);

@@ -13,9 +13,9 @@ import yarts.physics.Integrator;
 import yarts.physics.Unit;
 import yarts.physics.support.Doubles;
 
-/** Without friction the library is the source's own rule, step for step. */
+/** Without friction, each step of the library follows the source's own rule. */
 class SourcePropertyTest {
-    /** A force and for how long it acts. */
+    /** A force, and the time for which it acts. */
     private record Push(double fx, double fy, double dt) {}
 
     @Provide

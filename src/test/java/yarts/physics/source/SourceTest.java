@@ -13,8 +13,8 @@ import yarts.physics.Integrator;
 import yarts.physics.Unit;
 
 /**
- * Every claim and every number of the source's physics chapter, by name. The rule as it stands there is
- * {@link ArticleUnit}; the numbers are its own: v = 10 m/s, f = 10 N·s/m, m = 1 kg.
+ * Every statement and every number of the source's physics chapter as a named test. {@link ArticleUnit} is the
+ * chapter's rule; the numbers are the chapter's: v = 10 m/s, f = 10 N·s/m, m = 1 kg.
  */
 class SourceTest {
     /** A million miles an hour; in m/s. */
@@ -43,7 +43,7 @@ class SourceTest {
     }
 
     @Test
-    void eulerMovesByTheVelocityTheStepStartsWith() {
+    void eulerMovesByTheVelocityAtTheStartOfTheStep() {
         Unit unit = new Unit(1).setVelocity(2, -1);
         unit.applyForce(8, 8);
         unit.integrate(0.5);
@@ -71,7 +71,7 @@ class SourceTest {
 
     @Test
     void aPushedUnitNeverTurns() {
-        // A force has no point of attack: it moves the unit along itself, and nothing else changes.
+        // A force has no point of application: it moves the unit in its direction, and changes nothing else.
         Unit unit = new Unit(3).setFriction(1);
         for (int i = 0; i < 100; i++) {
             unit.applyForce(7, 0);
@@ -110,21 +110,21 @@ class SourceTest {
     }
 
     @Test
-    void naiveFrictionStopsTheUnitDeadAtATenthOfASecond() {
+    void naiveFrictionStopsTheUnitAtOnceInAStepOfATenthOfASecond() {
         assertEquals(0, naive(0.1, 10).vx, 1e-15);
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {0.101, 0.11, 0.15, 0.19})
-    void naiveFrictionTurnsTheUnitRoundPastATenthOfASecond(double dt) {
+    void naiveFrictionReversesTheUnitInALongerStepThanATenthOfASecond(double dt) {
         double vx = naive(dt, 10).vx;
         assertTrue(vx < 0, "v = " + vx);
-        assertTrue(vx > -10, "but slower than before: v = " + vx);
+        assertTrue(vx > -10, "faster than before: v = " + vx);
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {0.21, 0.25, 0.3})
-    void naiveFrictionMakesTheUnitFasterPastTwoTenthsOfASecond(double dt) {
+    void naiveFrictionAcceleratesTheUnitInALongerStepThanTwoTenthsOfASecond(double dt) {
         ArticleUnit article = naive(dt, 10);
         assertTrue(article.vx < -10, "v = " + article.vx);
         for (int i = 0; i < 1000; i++) article.integrate(dt);
@@ -132,27 +132,27 @@ class SourceTest {
     }
 
     @Test
-    void aHigherFrictionMakesTheJittersWorse() {
+    void moreFrictionMakesTheJittersWorse() {
         double before = 0;
         for (double friction : new double[] {11, 15, 20, 30, 100}) {
             double back = -naive(0.1, friction).vx;
-            assertTrue(back > before, "friction " + friction + " throws the unit back at " + back);
+            assertTrue(back > before, "friction " + friction + " reverses the unit to " + back);
             before = back;
         }
     }
 
     @Test
-    void anUncappedUnitLightlyPushedLeavesAtAMillionMilesAnHour() {
+    void aLightPushAcceleratesAnUncappedUnitToAMillionMilesAnHour() {
         ArticleUnit article = new ArticleUnit(1);
         article.friction = 10;
-        article.applyForce(1, 0); // lightly, once
+        article.applyForce(1, 0); // a light push, once
         int steps = 0;
         while (Math.abs(article.vx) < MILLION_MILES_AN_HOUR && steps < 1000) {
             article.integrate(0.25);
             steps++;
         }
         assertTrue(Math.abs(article.vx) >= MILLION_MILES_AN_HOUR, "v = " + article.vx);
-        assertTrue(steps < 60, "and it takes seconds: " + steps + " steps");
+        assertTrue(steps < 60, "it takes too long: " + steps + " steps");
 
         for (Integrator integrator : Integrator.values()) {
             Unit unit = new Unit(1).setFriction(10);
@@ -165,7 +165,7 @@ class SourceTest {
     }
 
     @Test
-    void aCapBoundsTheJittersButDoesNotCureThem() {
+    void aCapBoundsTheJittersButDoesNotRemoveThem() {
         ArticleUnit article = new ArticleUnit(1);
         article.friction = 30;
         article.maxSpeed = 15;
@@ -174,14 +174,14 @@ class SourceTest {
             double before = article.vx;
             article.integrate(0.1);
             assertTrue(Math.abs(article.vx) <= 15 * (1 + 1e-15), "v = " + article.vx);
-            assertTrue(article.vx * before < 0, "it turns round in every step");
+            assertTrue(article.vx * before < 0, "it does not reverse in this step");
         }
         assertNotEquals(0, article.vx);
     }
 
     @ParameterizedTest
     @EnumSource
-    void theLibraryNeverTurnsTheUnitRound(Integrator integrator) {
+    void theLibraryNeverReversesTheUnit(Integrator integrator) {
         for (double dt : new double[] {0.05, 0.1, 0.101, 0.15, 0.2, 0.25, 0.3, 10}) {
             Unit unit = new Unit(1).setFriction(10).setVelocity(10, 0);
             double before = unit.getVx();

@@ -10,12 +10,12 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 
 /**
- * A game drawn from a seed: in its frames it does whatever a game can do to a world, with ordinary and extreme numbers.
- * What it does depends on the seed and the world alone, so that worlds which are alike stay alike. It needs the library
- * alone, so that it can be played on any JVM.
+ * A game drawn from a seed. In its frames it makes all calls that a game can make, with ordinary and extreme numbers.
+ * The calls depend only on the seed and the world, so equal worlds stay equal. It uses only the library, so it runs on
+ * any JVM.
  */
 public final class Churn {
-    /** What SplitMix64 adds each time. */
+    /** The increment of SplitMix64. */
     public static final long GOLDEN = 0x9E3779B97F4A7C15L;
 
     private static final Timestep[] TIMESTEPS = {
@@ -27,7 +27,7 @@ public final class Churn {
         Timestep.variable(0.05)
     };
 
-    /** Thrown by the listener now and then. */
+    /** Sometimes thrown by the listener. */
     private static final class Halt extends RuntimeException {
         private static final long serialVersionUID = 1;
     }
@@ -35,13 +35,13 @@ public final class Churn {
     private final int least, rare;
     private final boolean finds;
     private final StepListener before = this::before, after = this::after;
-    /** Units that were removed, to be added again. */
+    /** Removed units, which may be added again. */
     private final List<Unit> bench = new ArrayList<>();
 
     private final Snapshot past = new Snapshot();
     private long seed;
 
-    /** A game in which one number of eight is extreme, with few units as a rule, and now and then some hundreds more. */
+    /** A game in which one of eight numbers is extreme. It has few units, and sometimes some hundreds more. */
     public Churn(long seed) {
         this(seed, 0, 8);
     }
@@ -49,9 +49,9 @@ public final class Churn {
     /**
      * A game.
      *
-     * @param seed what it is drawn from
-     * @param least how many units there are at least when a frame begins
-     * @param rare one number in so many is extreme
+     * @param seed the seed of all decisions
+     * @param least the least number of units at the start of a frame
+     * @param rare on average, one of this many numbers is extreme
      */
     public Churn(long seed, int least, int rare) {
         this.seed = scramble(seed);
@@ -60,7 +60,7 @@ public final class Churn {
         finds = draw(2) == 0;
     }
 
-    /** {@return a world that has seen some frames} */
+    /** {@return a world after some frames} */
     public static World world(long seed, Integrator integrator, Timestep timestep, int frames) {
         World world = new World(integrator, timestep);
         new Churn(seed).play(world, frames);
@@ -77,10 +77,10 @@ public final class Churn {
         return hashes;
     }
 
-    /** Plays a frame: orders, and time that passes. */
+    /** Plays a frame: orders, and an advance or step. */
     public void frame(World world) {
-        int recruits = least > 0 ? least - world.size() : draw(50) == 0 ? 600 : draw(3) > 0 ? draw(6) : 0;
-        for (; recruits > 0; recruits--) world.add(recruit());
+        int missing = least > 0 ? least - world.size() : draw(50) == 0 ? 600 : draw(3) > 0 ? draw(6) : 0;
+        for (; missing > 0; missing--) world.add(newUnit());
         for (int orders = draw(8) + world.size() / 16; orders > 0; orders--) order(world);
         for (int orders = draw(3); orders > 0; orders--) orderAll(world);
         Integrator integrator = world.getIntegrator();
@@ -92,12 +92,12 @@ public final class Churn {
         try {
             pass(world);
         } catch (Halt e) {
-            // of the listener: the rest of the frame is dropped
+            // thrown by the listener: the rest of the frame is dropped
         }
         world.removeStepListener(before);
         world.removeStepListener(after);
         world.setIntegrator(integrator);
-        if (draw(8) == 0) order(world); // what it leaves is still held when the frame is over
+        if (draw(8) == 0) order(world); // its forces still wait after the frame
     }
 
     private void pass(World world) {
@@ -118,9 +118,9 @@ public final class Churn {
         }
     }
 
-    /** Steers some; now and then it breaks off. */
+    /** Steers some units; sometimes it throws. */
     private void before(World world, double dt) {
-        for (int i = draw(8); i < world.size(); i += 8) { // to the first
+        for (int i = draw(8); i < world.size(); i += 8) { // towards the first unit
             Unit unit = world.get(i), first = world.get(0);
             unit.applyForce(limit(first.getX() - unit.getX(), 1e6), dt - limit(unit.getVx(), 1e6));
         }
@@ -128,7 +128,7 @@ public final class Churn {
         if (draw(32) == 0) throw new Halt();
     }
 
-    /** Keeps some behind walls, and pushes some for the next step; now and then it breaks off. */
+    /** Keeps some units behind walls, and pushes some in the next step; sometimes it throws. */
     private void after(World world, double dt) {
         for (int i = draw(8); i < world.size(); i += 8) {
             Unit unit = world.get(i);
@@ -136,7 +136,7 @@ public final class Churn {
             if (draw(4) == 0) unit.applyForce(force(), force());
         }
         if (draw(8) == 0) {
-            world.add(recruit()).moveTo(1, 2);
+            world.add(newUnit()).moveTo(1, 2);
             world.get(draw(world.size())).applyForce(force(), force());
         }
         if (draw(32) == 0) throw new Halt();
@@ -146,7 +146,7 @@ public final class Churn {
         return Math.max(-most, Math.min(most, v));
     }
 
-    /** Of what is asked for by id, whatever is there. */
+    /** {@return a unit found by a random id, or by a random index if there is none} */
     private Unit any(World world) {
         int size = world.size();
         Unit unit = finds ? world.find(world.get(size - 1).getId() - draw(2 * size)) : null;
@@ -163,7 +163,7 @@ public final class Churn {
                 bench.add(unit);
                 break;
             case 1:
-                if (!bench.isEmpty()) enlist(world, bench.remove(draw(bench.size())));
+                if (!bench.isEmpty()) addIfOutside(world, bench.remove(draw(bench.size())));
                 break;
             case 2:
                 world.remove(unit);
@@ -182,12 +182,12 @@ public final class Churn {
                 unit.setVelocity(signed(1e-3, 1e3, Double.MAX_VALUE), signed(1e-3, 1e3, Double.MAX_VALUE));
                 break;
             case 7:
-                unit.setVelocity(signed(1e-155, 1e-140, 1), signed(1e-155, 1e3, 1)); // near rest
+                unit.setVelocity(signed(1e-155, 1e-140, 1), signed(1e-155, 1e3, 1)); // near the rest threshold
                 break;
             case 8:
                 unit.setPosition(signed(1e-3, 1e3, Double.MAX_VALUE), signed(1e-3, 1e3, Double.MAX_VALUE));
                 break;
-            case 9: // back to where it is drawn
+            case 9: // to its interpolated position
                 double alpha = draw(5) / 4.0;
                 if (draw(2) == 0) unit.setPosition(unit.getInterpolatedX(alpha), unit.getInterpolatedY());
                 else unit.moveTo(unit.getInterpolatedX(alpha), unit.getInterpolatedY());
@@ -211,15 +211,15 @@ public final class Churn {
             default:
                 unit.applyForce(force(), force());
         }
-        if (bench.size() > 100) enlist(world, bench.remove(0));
+        if (bench.size() > 100) addIfOutside(world, bench.remove(0));
     }
 
-    /** One that restore brought back is in the world already. */
-    private static void enlist(World world, Unit unit) {
+    /** Adds a unit, unless a restore has already returned it to the world. */
+    private static void addIfOutside(World world, Unit unit) {
         if (unit.getWorld() == null) world.add(unit);
     }
 
-    /** An order about the whole world. */
+    /** An order to the whole world. */
     private void orderAll(World world) {
         switch (draw(16)) {
             case 0:
@@ -246,11 +246,11 @@ public final class Churn {
             case 7:
                 follow(world);
                 break;
-            case 8: // motors are rare, so that there are tiles without any
+            case 8: // motors are rare, so that some tiles have none
                 if (draw(4) == 0) for (int i = draw(32); i < world.size(); i += 32) drive(world.get(i));
                 else for (Unit unit : world) unit.setMotor(0, 0, 0);
                 break;
-            default: // of each four, one or all
+            default: // one of each four, or all
                 for (int i = draw(4), by = draw(2) == 0 ? 4 : 1; i < world.size(); i += by) {
                     double force = force();
                     world.get(i).applyForce(force, force / -3);
@@ -265,7 +265,7 @@ public final class Churn {
         world.applyForces(xy, offset);
     }
 
-    /** Kicks whoever is near a unit away from it, or towards it. */
+    /** Kicks the units near a unit away from it, or towards it. */
     private void explode(World world, Unit bomb) {
         double x = bomb.getX(), y = bomb.getY(), radius = positive(1, 1e5, 1, 1e9), power = signed(1, 1e6, 1e9);
         for (Unit unit : world) {
@@ -276,11 +276,11 @@ public final class Churn {
         }
     }
 
-    /** Plays some steps and takes them back, but for a trace of where they led. */
+    /** Plays some steps and restores the world; then applies a force that depends on their result. */
     private void lookAhead(World world) {
         world.save(past);
         if (world.size() > 0) world.remove(any(world));
-        world.add(recruit()).applyForce(force(), force());
+        world.add(newUnit()).applyForce(force(), force());
         world.step(seconds());
         world.advance(seconds());
         double led = world.size() > 0 ? world.get(0).getX() : 0;
@@ -288,14 +288,14 @@ public final class Churn {
         if (world.size() > 0) world.get(0).applyForce(limit(led, 1e6), 0);
     }
 
-    /** Loads a save: who has gone since is made anew. */
+    /** Restores from bytes: units that were removed are created again. */
     private void load(World world) {
         byte[] save = world.save().toBytes();
         world.removeIf(unit -> draw(8) == 0);
         world.restore(Snapshot.fromBytes(save));
     }
 
-    /** Some go on by where others are drawn, and as fast. */
+    /** Moves some units to the interpolated positions of others, with their velocities. */
     private void follow(World world) {
         int n = world.size();
         double[] positions = new double[2 * n], velocities = new double[2 * n];
@@ -310,14 +310,14 @@ public final class Churn {
         }
     }
 
-    /** Sets a motor: to drive, to brake, or off. */
+    /** Sets a motor that drives, brakes, or is off. */
     private void drive(Unit unit) {
         boolean brake = draw(3) == 0;
         double vx = brake ? 0 : signed(1e-3, 1e3, Double.MAX_VALUE), vy = brake ? 0 : signed(1e-3, 1e3, 1e-155);
         unit.setMotor(vx, vy, draw(4) == 0 ? 0 : positive(1e-3, 1e6, 0, 1e50));
     }
 
-    private Unit recruit() {
+    private Unit newUnit() {
         Unit unit = new Unit(mass());
         unit.setFriction(friction(unit)).setMaxSpeed(maxSpeed()).setFrozen(draw(32) == 0);
         return unit.setPosition(signed(1e-3, 1e4, Double.MAX_VALUE), signed(1e-3, 1e4, Double.MAX_VALUE));
@@ -327,14 +327,14 @@ public final class Churn {
         return positive(1e-2, 1e5, 1e-50, 1e50);
     }
 
-    /** As a rule such that f dt/m lies between 1e-6 and 1e3. */
+    /** Usually such that f dt/m is between 1e-6 and 1e3. */
     private double friction(Unit unit) {
         if (draw(8) == 0) return 0;
         if (draw(rare) == 0) return positive(1e-2, 1e5, 0, 1e50);
         return Math.min(1e50, positive(1e-6, 1e3, 0, 1e3) * unit.getMass() * 60);
     }
 
-    /** As a rule one that some reach. */
+    /** Usually a speed that some units reach. */
     private double maxSpeed() {
         if (draw(3) == 0) return draw(2 * rare) == 0 ? 0 : Double.POSITIVE_INFINITY;
         return positive(0.1, 1e3, Double.MIN_VALUE, Double.MAX_VALUE);
@@ -357,7 +357,7 @@ public final class Churn {
         return draw(2) == 0 ? v : -v;
     }
 
-    /** From min to max, or rarely from least to most: nearly uniform in the logarithm. */
+    /** From min to max, or rarely from least to most; nearly uniform in the logarithm. */
     private double positive(double min, double max, double least, double most) {
         boolean usual = draw(rare) != 0;
         long from = bits(usual ? min : least), to = bits(usual ? max : most);
@@ -380,7 +380,7 @@ public final class Churn {
         return v ^ (v >>> 31);
     }
 
-    /** {@return all that can be known of a world, read past save and stateHash} Of what is 0, the sign does not count. */
+    /** {@return all values of a world, read without save and stateHash} The sign of 0 is ignored. */
     public static List<Long> bits(World world) {
         List<Long> bits = new ArrayList<>(
                 List.of(world.getTick(), bits(world.getTime()), bits(world.getDroppedTime()), bits(world.getAlpha())));
@@ -390,7 +390,7 @@ public final class Churn {
         return bits;
     }
 
-    /** {@return all that can be known of a unit} First its {@link #kept}. */
+    /** {@return all values of a unit} Its {@link #kept} values come first. */
     public static List<Long> bits(Unit unit) {
         List<Long> bits = kept(unit);
         for (double v : new double[] {
@@ -408,7 +408,7 @@ public final class Churn {
         return bits;
     }
 
-    /** {@return what a unit takes along when it leaves its world} */
+    /** {@return the values that a unit keeps when it leaves its world} */
     public static List<Long> kept(Unit unit) {
         List<Long> bits = new ArrayList<>(List.of(unit.getId(), unit.isFrozen() ? 1L : 0));
         for (double v : new double[] {

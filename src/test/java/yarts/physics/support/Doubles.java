@@ -6,30 +6,31 @@ import net.jqwik.api.RandomDistribution;
 import net.jqwik.api.Tuple;
 
 /**
- * Doubles for properties. They are drawn as bit patterns: those of positive doubles rise with the value, an equal
- * number of them from each power of two to the next, so that a uniform pattern is a value uniform in its logarithm.
+ * Doubles for properties, drawn as bit patterns. The patterns of positive doubles increase with the value, with an
+ * equal number between each power of two and the next. So a uniform pattern is a value that is nearly uniform in its
+ * logarithm.
  */
 public final class Doubles {
     private Doubles() {}
 
-    /** Any bit pattern: every magnitude, both signs, and more often than by chance zeros, infinities, NaN and limits. */
+    /** Any bit pattern: every magnitude, both signs, with additional zeros, infinities, NaN and limits. */
     public static Arbitrary<Double> any() {
         return Arbitraries.frequencyOf(
                 Tuple.of(9, patterns(Long.MIN_VALUE, Long.MAX_VALUE, 0)), Tuple.of(1, special()));
     }
 
-    /** Any finite double: every magnitude, −0.0 and the subnormal ones included. */
+    /** Any finite double of every magnitude, including −0.0 and subnormal numbers. */
     public static Arbitrary<Double> finite() {
         return any().filter(Double::isFinite);
     }
 
-    /** From min to max, both positive or zero: as likely between 1 and 2 as between 2 and 4. Shrinks towards 1. */
+    /** From min to max, both positive or zero: between 1 and 2 as often as between 2 and 4. Shrinks towards 1. */
     public static Arbitrary<Double> logUniform(double min, double max) {
         double simplest = Math.max(min, Math.min(max, 1));
         return patterns(bits(min), bits(max), bits(simplest));
     }
 
-    /** As {@link #logUniform} with either sign, and now and then 0.0 or −0.0. */
+    /** Like {@link #logUniform} with either sign, and sometimes 0.0 or −0.0. */
     public static Arbitrary<Double> signedLogUniform(double min, double max) {
         Arbitrary<Double> positive = logUniform(min, max);
         return Arbitraries.frequencyOf(

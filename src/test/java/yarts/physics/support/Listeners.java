@@ -3,12 +3,12 @@ package yarts.physics.support;
 import yarts.physics.StepListener;
 import yarts.physics.World;
 
-/** A listener before each step of a world and one after it, which tests replace. */
+/** One listener before each step of a world and one after it, both replaceable by tests. */
 public final class Listeners {
     private final World world;
     private StepListener before, after;
 
-    /** No listeners of a world. */
+    /** Starts without listeners in a world. */
     public Listeners(World world) {
         this.world = world;
     }

@@ -23,7 +23,7 @@ import yarts.physics.World;
 import yarts.physics.snapshot.Saves;
 import yarts.physics.support.Doubles;
 
-/** No tick is lost or made up: what comes in is run, dropped, or still to come, exactly. */
+/** No tick is lost or added: the elapsed time is exactly the time that was run, dropped, or still waits. */
 class ClockPropertyTest {
     private static final long SECOND = 1_000_000_000;
     private static final long DAY = 86_400 * SECOND;
@@ -89,7 +89,7 @@ class ClockPropertyTest {
     }
 
     @Property(tries = 3000)
-    void runAndDroppedAndRemainderAreWhatCameIn(
+    void runDroppedAndWaitingTimeAreTheElapsedTime(
             @ForAll @Size(max = 50) List<@From("elapsed") Double> frames,
             @ForAll @IntRange(min = 1, max = 1_000_000) int rate,
             @ForAll @IntRange(min = 1, max = 100) int limit) {
@@ -126,9 +126,9 @@ class ClockPropertyTest {
         }
     }
 
-    /** 1/n s is no whole number of nanoseconds, most often; nor is it 1/n s as a double. */
+    /** Usually 1/n s is not a whole number of nanoseconds, nor is the double exactly 1/n. */
     @Property(tries = 200)
-    void nFramesOfAnNthOfASecondAreOneSecond(@ForAll("framesASecond") int n, @ForAll("anyRate") int rate) {
+    void nFramesOfOneNthOfASecondAreOneSecond(@ForAll("framesASecond") int n, @ForAll("anyRate") int rate) {
         World world = new World(Integrator.EULER, Timestep.fixed(rate).withMaxSteps(rate));
         for (int second = 1; second <= 3; second++) {
             long start = world.getTick();
@@ -141,9 +141,9 @@ class ClockPropertyTest {
         }
     }
 
-    /** However many frames there were, and with whole nanoseconds in between. */
+    /** For any number of frames, also mixed with whole nanoseconds. */
     @Property(tries = 300)
-    void roundingErrorsAreCarriedOnAndDoNotAddUp(
+    void roundingErrorsAreCompensatedAndDoNotAddUp(
             @ForAll @From("shortTimes") double elapsed, @ForAll("rates") int rate) {
         World world = new World(Integrator.EULER, Timestep.fixed(rate));
         BigDecimal frame = new BigDecimal(elapsed), steps = new BigDecimal(rate);
@@ -220,7 +220,7 @@ class ClockPropertyTest {
         return Arbitraries.of(30, 60, 64, 144);
     }
 
-    /** Frames as they are, and every other time that is accepted. */
+    /** Usual frames, and any other accepted time. */
     @Provide
     Arbitrary<Double> elapsed() {
         return Arbitraries.frequencyOf(
@@ -234,7 +234,7 @@ class ClockPropertyTest {
         return Doubles.logUniform(1e-6, 1e9);
     }
 
-    /** Steps of any length, as they are summed: what rounding leaves out is carried along, as a save shows. */
+    /** The lengths of steps are summed with compensation: the snapshot contains the rounding error. */
     @Property
     void irregularTimeIsSummedToTheLastBit(@ForAll @Size(min = 2, max = 100) List<@From("lengths") Double> steps) {
         World world = new World(Integrator.EULER, Timestep.variable(1));

@@ -19,7 +19,7 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Doubles;
 
-/** A force acts for the time by which the world advances, however that time is cut into frames. */
+/** A force acts for the time by which the world advances, at any frame rate. */
 class FrameRatePropertyTest {
     private static final int RATE = 60;
     private static final double DT = 1.0 / RATE;
@@ -32,24 +32,24 @@ class FrameRatePropertyTest {
     }
 
     @Property(tries = 2000)
-    void aConstantPushIsTheSameAtEveryFrameRate(
+    void aConstantForceHasTheSameEffectAtEveryFrameRate(
             @ForAll("frameRates") double fps,
             @ForAll Integrator integrator,
             @ForAll("units") Unit unit,
             @ForAll("force") double fx,
             @ForAll("force") double fy) {
-        sameAsTickByTick(integrator, unit, fx, fy, 120, i -> 1 / fps);
+        assertSameAsSingleSteps(integrator, unit, fx, fy, 120, i -> 1 / fps);
     }
 
-    /** Up to 0.75 s, so that some of the time is dropped, and the force's share of it too. */
+    /** Up to 0.75 s, so that some of the time is dropped, with the force's share of it. */
     @Property
-    void aConstantPushIsTheSameAtRandomFrameTimes(
+    void aConstantForceHasTheSameEffectAtRandomFrameTimes(
             @ForAll @Size(min = 20, max = 200) List<@From("frames") Frame> frames,
             @ForAll Integrator integrator,
             @ForAll("units") Unit unit,
             @ForAll("force") double fx,
             @ForAll("force") double fy) {
-        sameAsTickByTick(
+        assertSameAsSingleSteps(
                 integrator,
                 unit,
                 fx,
@@ -62,8 +62,8 @@ class FrameRatePropertyTest {
         double seconds(int frame);
     }
 
-    /** Frames of any length end with the velocity and position that as many ticks of the force itself lead to. */
-    private static void sameAsTickByTick(
+    /** Compares frames of any length with the same number of single steps under the same force. */
+    private static void assertSameAsSingleSteps(
             Integrator integrator, Unit alone, double fx, double fy, int ticks, FrameTimes frames) {
         World world = new World(integrator, Timestep.fixed(RATE));
         Unit unit = world.add(new Unit(alone.getMass()).setFriction(alone.getFriction()));
@@ -82,7 +82,7 @@ class FrameRatePropertyTest {
     }
 
     @Property(tries = 2000)
-    void noImpulseIsLostOrMade(
+    void noImpulseIsLostOrAdded(
             @ForAll @Size(max = 200) List<@From("frames") Frame> frames,
             @ForAll Integrator integrator,
             @ForAll("mass") double mass) {
@@ -97,7 +97,7 @@ class FrameRatePropertyTest {
             scale[0] += Math.abs(frame.fx) * (frame.seconds() + DT);
             scale[1] += Math.abs(frame.fy) * (frame.seconds() + DT);
         }
-        world.advance(DT + 1e-9); // a step without a force takes what was pending
+        world.advance(DT + 1e-9); // the pending impulse acts in a step without a force
         assertEquals(applied[0], mass * unit.getVx(), 1e-14 * scale[0]);
         assertEquals(applied[1], mass * unit.getVy(), 1e-14 * scale[1]);
     }
@@ -127,7 +127,7 @@ class FrameRatePropertyTest {
     }
 
     @Property
-    void framesOfNoTimeNeitherBankNorLoseAnything(
+    void framesOfZeroSecondsNeitherAddNorLoseImpulse(
             @ForAll @Size(max = 100) List<@From("frames") Frame> frames,
             @ForAll Integrator integrator,
             @ForAll("units") Unit unit,
@@ -147,16 +147,16 @@ class FrameRatePropertyTest {
         }
     }
 
-    /** It loses its forces and what was pending, no more; the unit that takes its row keeps its own. */
+    /** It loses its forces and its pending impulse; the unit that takes its row keeps its own. */
     @Property
-    void whatIsPendingIsLostByAUnitThatLeavesAndComesBackAndByNoOther(
+    void onlyAUnitThatLeavesAndReturnsLosesItsPendingImpulse(
             @ForAll @Size(max = 100) List<@From("frames") Frame> frames,
             @ForAll Integrator integrator,
             @ForAll("units") Unit unit) {
         World stays = new World(integrator, Timestep.fixed(RATE));
         World leaves = new World(integrator, Timestep.fixed(RATE));
         Unit a = stays.add(new Unit(unit.getMass()).setFriction(unit.getFriction()));
-        leaves.add(new Unit(1)); // so that the unit changes its row, too
+        leaves.add(new Unit(1)); // so that the unit also changes its row
         Unit b = leaves.add(unit);
         for (Frame frame : frames) {
             a.applyForce(frame.fx, frame.fy);
@@ -174,7 +174,7 @@ class FrameRatePropertyTest {
     }
 
     @Property
-    void aForceOfTheListenerActsForItsStepAlone(
+    void aForceFromAListenerActsOnlyForItsStep(
             @ForAll @Size(max = 100) List<@From("frames") Frame> frames,
             @ForAll Integrator integrator,
             @ForAll("units") Unit alone,
@@ -217,7 +217,7 @@ class FrameRatePropertyTest {
         return Combinators.combine(ns, force(), force()).as(Frame::new).withoutEdgeCases();
     }
 
-    /** A hundred of them are less than a step. */
+    /** A hundred of them are shorter than a step. */
     @Provide
     Arbitrary<Long> shortFrames() {
         return Arbitraries.longs().between(0, 166_000);

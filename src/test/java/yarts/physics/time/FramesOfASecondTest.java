@@ -9,20 +9,20 @@ import yarts.physics.Integrator;
 import yarts.physics.Timestep;
 import yarts.physics.World;
 
-/** n frames of 1.0/n seconds are one second, for every n: neither is a tick lost, nor does it come late. */
+/** n frames of 1.0/n seconds are one second, for every n: no tick is lost or late. */
 class FramesOfASecondTest {
     private static World world(int rate) {
         return new World(Integrator.EULER, Timestep.fixed(rate).withMaxSteps(1_000_000));
     }
 
     @Test
-    void oneFrameOfOneStepRunsIt() {
+    void aFrameOfOneStepRunsOneStep() {
         for (int rate = 1; rate <= 1000; rate++) assertEquals(1, world(rate).advance(1.0 / rate), "rate " + rate);
     }
 
     @ParameterizedTest
     @ValueSource(ints = {1, 24, 25, 30, 50, 60, 64, 75, 90, 120, 128, 144, 240, 1000})
-    void nFramesOfAnNthAreOneSecond(int rate) {
+    void nFramesOfOneNthOfASecondAreOneSecond(int rate) {
         for (int n = 1; n <= 1000; n++) {
             World world = world(rate);
             for (int second = 1; second <= 20; second++) {
@@ -35,9 +35,9 @@ class FramesOfASecondTest {
         }
     }
 
-    /** Frame by frame: after k frames of 1/n s, as many ticks as fit, k·rate/n rounded down. */
+    /** After k frames of 1/n s, the tick is k·rate/n, rounded down. */
     @Test
-    void everyTickFallsInTheFrameThatEndsIt() {
+    void everyTickRunsInTheFrameInWhichItsTimeEnds() {
         for (int rate : new int[] {24, 30, 50, 60, 64, 128}) {
             for (int n : new int[] {7, 30, 59, 60, 75, 90, 120, 144, 165, 240, 999}) {
                 World world = world(rate);
@@ -60,7 +60,7 @@ class FramesOfASecondTest {
         assertEquals((long) part, world.getTick());
     }
 
-    /** A day of frames of 1/144 s: their doubles are not quite that, and so are some billionths of a step off in the end. */
+    /** A day of frames of 1/144 s. The double differs slightly, so the end is off by some billionths of a step. */
     @Test
     void aDayOfFramesLosesNoTick() {
         World world = world(60);
@@ -71,11 +71,11 @@ class FramesOfASecondTest {
     }
 
     @Test
-    void wholeSecondsInOneFrameAreExact() {
+    void framesOfWholeSecondsAreExact() {
         World world = world(1_000_000);
         for (double seconds : new double[] {1, 2.5, 1e6, 999_999_999.5}) world.advance(seconds);
         assertEquals(0, world.getAlpha());
-        assertEquals(1_000_000L * 4, world.getTick(), "each as many as the limit allows");
+        assertEquals(1_000_000L * 4, world.getTick(), "in each frame as many as the limit allows");
         assertEquals(1 + 2.5 + 1e6 + 999_999_999.5, world.getTime() + world.getDroppedTime(), 1e-3);
     }
 }

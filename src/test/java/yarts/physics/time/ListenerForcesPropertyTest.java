@@ -22,7 +22,7 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Doubles;
 
-/** With forces from listeners, steps have the same bits whichever calls run them: step() or frames of any length. */
+/** With forces from listeners, steps have the same bits in calls of step() and in frames of any length. */
 class ListenerForcesPropertyTest {
     private static final class Halt extends RuntimeException {
         private static final long serialVersionUID = 1;
@@ -30,15 +30,15 @@ class ListenerForcesPropertyTest {
 
     /**
      * A world whose listeners are drawn from a seed: springs, drives and changes of the units, before and after every
-     * step, and now and then an exception. What they do in a step depends on the seed, the step and the world alone.
+     * step, and sometimes an exception. Their actions depend only on the seed, the step and the world.
      */
     private static final class Game {
         final World world;
         final long seed;
         final boolean halts;
-        /** The length of each step that began. */
+        /** The length of each step that has begun. */
         final List<Double> lengths = new ArrayList<>();
-        /** What the listeners saw, step by step. */
+        /** The state that the listeners saw in each step. */
         final List<Long> seen = new ArrayList<>();
 
         int phases;
@@ -47,7 +47,7 @@ class ListenerForcesPropertyTest {
             this.seed = seed;
             this.halts = halts;
             world = new World(integrator, timestep);
-            for (int i = 0; i < units; i++) world.add(recruit(i));
+            for (int i = 0; i < units; i++) world.add(newUnit(i));
             world.addBeforeStep((w, dt) -> {
                 lengths.add(dt);
                 act();
@@ -57,13 +57,13 @@ class ListenerForcesPropertyTest {
             world.addAfterStep((w, dt) -> look());
         }
 
-        Unit recruit(int i) {
+        Unit newUnit(int i) {
             return new Unit(1 + i % 3).setFriction(i % 4 * 0.5).setPosition(i * 0.37, -i * 0.11);
         }
 
         void act() {
             SplittableRandom random = new SplittableRandom(seed + 31L * phases++);
-            if (world.size() == 0) world.add(recruit(phases));
+            if (world.size() == 0) world.add(newUnit(phases));
             for (int n = random.nextInt(4); n > 0; n--) {
                 Unit unit = world.get(random.nextInt(world.size()));
                 double k = random.nextDouble() * 30;
@@ -72,7 +72,7 @@ class ListenerForcesPropertyTest {
                     case 1 -> unit.setFrozen(random.nextInt(3) == 0);
                     case 2 -> unit.setVelocity(k - 15, 15 - k);
                     case 3 -> unit.applyImpulse(k - 15, 3);
-                    case 4 -> world.add(recruit(phases)).applyForce(k, -k);
+                    case 4 -> world.add(newUnit(phases)).applyForce(k, -k);
                     case 5 -> {
                         if (world.size() > 1) world.remove(unit);
                     }
@@ -106,7 +106,7 @@ class ListenerForcesPropertyTest {
             try {
                 call.run();
             } catch (Halt e) {
-                // of a listener: the rest of the frame is dropped
+                // thrown by a listener: the rest of the frame is dropped
             }
         }
     }
@@ -163,7 +163,7 @@ class ListenerForcesPropertyTest {
         same(seed, units, integrator, calls);
     }
 
-    /** In more than two tiles. */
+    /** In more than two tiles of units. */
     @Property(tries = 20)
     void anySequenceOfCallsOfALargeWorldGivesTheBitsOfSingleSteps(@ForAll long seed, @ForAll Integrator integrator) {
         same(seed, 1030, integrator, 30);
@@ -201,7 +201,7 @@ class ListenerForcesPropertyTest {
         }
     }
 
-    /** A frame: its length, the force applied before it, and those applied before and after each of its steps. */
+    /** A frame: its length, the force applied before it, and the forces applied before and after each of its steps. */
     record Push(double seconds, double frame, double before, double after) {}
 
     /**
@@ -209,7 +209,7 @@ class ListenerForcesPropertyTest {
      * listener's force times the length of its step.
      */
     @Property(tries = 1000)
-    void forcesOfFramesAndOfListenersEachActForTheirOwnTime(
+    void forcesOfFramesAndListenersActForTheirOwnTimes(
             @ForAll @Size(max = 100) List<@From("pushes") Push> pushes,
             @ForAll Integrator integrator,
             @ForAll @IntRange(min = 1, max = 240) int rate,
@@ -233,12 +233,12 @@ class ListenerForcesPropertyTest {
             world.advance(push.seconds);
             sum[0] += push.frame * push.seconds;
             sum[1] += Math.abs(push.frame) * (push.seconds + 1.0 / rate);
-            assertEquals(now[2] + 0.0, unit.getFx() + 0.0, "the force for the next step, alone");
+            assertEquals(now[2] + 0.0, unit.getFx() + 0.0, "only the force for the next step");
             assertEquals(sum[0], mass * unit.getVx() + unit.getPendingImpulseX(), 1e-12 * sum[1]);
         }
     }
 
-    /** In steps: none, one or several fit. */
+    /** Lengths in steps: less than one, one, or several. */
     @Provide
     Arbitrary<Double> frames() {
         return Arbitraries.frequencyOf(

@@ -20,7 +20,7 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Churn;
 
-/** A force applied in a step listener acts for exactly one step, whichever call runs that step. */
+/** A force applied in a step listener acts for exactly one step, whether step() or advance() runs it. */
 class ListenerForcesTest {
     private static final class Stop extends RuntimeException {
         private static final long serialVersionUID = 1;
@@ -29,7 +29,7 @@ class ListenerForcesTest {
     private final World world = new World(Integrator.EULER, Timestep.fixed(10).withMaxSteps(9));
     private final Unit unit = world.add(new Unit(1)), other = world.add(new Unit(1));
 
-    /** Runs a step after which a listener applies a force to the unit; 10 N will add 1 m/s in a step of 0.1 s. */
+    /** Runs a step, after which a listener applies a force to the unit; 10 N add 1 m/s in a step of 0.1 s. */
     private void applyAfterAStep(double fx, double fy) {
         StepListener push = (w, dt) -> unit.applyForce(fx, fy);
         world.addAfterStep(push);
@@ -122,7 +122,7 @@ class ListenerForcesTest {
     }
 
     @Test
-    void aForceAppliedBeforeAStepActsForThatStepAlone() {
+    void aForceAppliedBeforeAStepActsOnlyForThatStep() {
         world.addBeforeStep((w, dt) -> unit.applyForce(w.getTick() == 1 ? 10 : 0, 0));
         world.advance(0.35);
         assertEquals(1, unit.getVx(), 1e-15);
@@ -130,7 +130,7 @@ class ListenerForcesTest {
     }
 
     @Test
-    void aFrameWithoutAStepLeavesTheForceWaiting() {
+    void inAFrameWithoutAStepTheForceContinuesToWait() {
         applyAfterAStep(10, 20);
         for (int i = 0; i < 4; i++) {
             assertEquals(0, world.advance(0.02));
@@ -147,7 +147,7 @@ class ListenerForcesTest {
 
     /** 10 N for a step of 0.1 s, and 6 N for a frame of 0.25 s. */
     @Test
-    void forcesOfAStepAndOfAFrameAddUpAndEachActsForItsOwnTime() {
+    void forcesOfAStepAndOfAFrameAddUpAndActForTheirOwnTimes() {
         applyAfterAStep(10, 0);
         unit.applyForce(6, 0);
         assertEquals(16, unit.getFx(), "both have not acted yet");
@@ -182,7 +182,7 @@ class ListenerForcesTest {
     }
 
     @Test
-    void allListenersSeeTheForcesOfTheStepToCome() {
+    void allListenersSeeTheForcesOfTheNextStep() {
         List<Double> seen = new ArrayList<>();
         world.addBeforeStep((w, dt) -> seen.add(unit.getFx()));
         world.addBeforeStep((w, dt) -> unit.applyForce(1, 0));
@@ -211,7 +211,7 @@ class ListenerForcesTest {
     }
 
     @Test
-    void anotherTimestepOrIntegratorLeavesTheForceWaiting() {
+    void aChangeOfTimestepOrIntegratorKeepsTheWaitingForce() {
         for (Timestep next : List.of(Timestep.fixed(4), Timestep.fixed(100), Timestep.variable(0.25))) {
             world.setTimestep(Timestep.fixed(10));
             world.setIntegrator(Integrator.EULER);
@@ -236,7 +236,7 @@ class ListenerForcesTest {
         assertNotEquals("", saved.difference(world.save()));
         unit.applyForce(fx, fy);
         assertEquals(List.of(fx, fy), List.of(unit.getFx() + 0.0, unit.getFy() + 0.0));
-        assertNotEquals(waiting, world.stateHash(), "a force for a frame is not one for a step");
+        assertNotEquals(waiting, world.stateHash(), "a force for a frame differs from a force for a step");
         assertNotEquals("", saved.difference(world.save()));
         world.restore(saved);
         assertEquals(waiting, world.stateHash());
@@ -244,7 +244,7 @@ class ListenerForcesTest {
     }
 
     @Test
-    void aWorldSavedWhileForcesWaitGoesOnAsIfItHadNotBeenSaved() {
+    void aWorldRestoredWithWaitingForcesContinuesAsTheSavedOne() {
         while (world.size() < 1100) world.add(new Unit(world.size()).setFriction(1));
         StepListener push = (w, dt) -> {
             for (int i = 0; i < w.size(); i += 7) w.get(i).applyForce(i - 500, 1000 - i);
@@ -265,7 +265,7 @@ class ListenerForcesTest {
         assertEquals(expected, play(world));
     }
 
-    /** Some frames, the first without a step, and all that can be known of the world before and after each. */
+    /** Plays some frames, the first without a step; returns all values of the world before and after each. */
     private static List<List<Long>> play(World world) {
         List<List<Long>> frames = new ArrayList<>(List.of(List.of(world.stateHash()), Churn.bits(world)));
         for (double elapsed : new double[] {0.001, 0.1, 0.25, 0.02, 0.3}) {
@@ -277,7 +277,7 @@ class ListenerForcesTest {
     }
 
     @Test
-    void whateverClearsForcesClearsThoseThatWait() {
+    void everyCallThatClearsForcesClearsWaitingForces() {
         World away = new World();
         Snapshot empty = away.save();
         List<Consumer<Unit>> ways = List.of(
@@ -354,7 +354,7 @@ class ListenerForcesTest {
     }
 
     @Test
-    void anAdvanceByNoTimeDiscardsTheForcesOfTheFrameAlone() {
+    void anAdvanceByZeroSecondsDiscardsOnlyTheForcesOfTheFrame() {
         for (Timestep timestep : List.of(Timestep.fixed(10), Timestep.variable(0.1))) {
             world.setTimestep(timestep);
             unit.setVelocity(0, 0);
@@ -370,7 +370,7 @@ class ListenerForcesTest {
     }
 
     @Test
-    void aStepOfNoTimeDiscardsAllForcesButThoseAppliedAfterIt() {
+    void aStepOfZeroSecondsDiscardsAllForcesExceptThoseAppliedAfterIt() {
         applyAfterAStep(10, 20);
         unit.applyForce(30, 40);
         world.addAfterStep((w, dt) -> other.applyForce(50 * dt + 5, 0));
@@ -383,7 +383,7 @@ class ListenerForcesTest {
     }
 
     @Test
-    void aListenerThatStopsAStepDiscardsAllForcesForIt() {
+    void aListenerThatCancelsAStepDiscardsAllForcesOfTheStep() {
         for (boolean advance : new boolean[] {false, true}) {
             World plain = new World(Integrator.EULER, Timestep.fixed(10).withMaxSteps(9));
             plain.restore(world.save());
@@ -402,7 +402,7 @@ class ListenerForcesTest {
                 else world.step(0.1);
             });
             assertNothingWaits(unit);
-            if (!advance) assertEquals(plain.stateHash(), world.stateHash(), "as if there had been no call");
+            if (!advance) assertEquals(plain.stateHash(), world.stateHash(), "as without the call");
             world.removeStepListener(push);
             world.removeStepListener(stop);
             world.advance(0.3);
@@ -412,7 +412,7 @@ class ListenerForcesTest {
 
     /** The second step of three, and the frame has a force of its own. */
     @Test
-    void aListenerThatStopsALaterStepOfAFrameLeavesNoForceButWhatIsPending() {
+    void aListenerThatCancelsALaterStepOfAFrameLeavesOnlyThePendingImpulse() {
         applyAfterAStep(10, 0);
         unit.applyForce(6, 0);
         world.addBeforeStep((w, dt) -> {
@@ -425,7 +425,7 @@ class ListenerForcesTest {
         assertEquals(6 * 0.05, unit.getPendingImpulseX(), 1e-14);
     }
 
-    /** Those that were applied before it threw, by it and by others, and none of the frame's own. */
+    /** The forces that it and other listeners applied before the exception, but not those of the frame. */
     @Test
     void forcesAppliedAfterAStepWaitEvenIfAListenerThrows() {
         for (boolean advance : new boolean[] {false, true}) {
@@ -455,7 +455,7 @@ class ListenerForcesTest {
     }
 
     @Test
-    void aMemberThatIsIntegratedAloneUsesAllItsForces() {
+    void integrateOfAMemberUsesAllItsForces() {
         applyAfterAStep(10, 20);
         unit.applyForce(1, 2);
         unit.integrate(0.5);
@@ -468,7 +468,7 @@ class ListenerForcesTest {
         assertEquals(11, unit.getVy());
     }
 
-    /** So it is spread over the steps of that world's next frame. */
+    /** It is distributed over the steps of the next frame of that world. */
     @Test
     void aForceOnAUnitOfAnotherWorldCountsAsAppliedBetweenFrames() {
         World there = new World(Integrator.EULER, Timestep.fixed(10).withMaxSteps(9));
@@ -491,7 +491,7 @@ class ListenerForcesTest {
 
     /** A listener steps another world, whose own listener pushes a unit of the first. */
     @Test
-    void aForceFromAWorldThatIsSteppedByAListenerActsForTheStepThatListensToIt() {
+    void aForceFromAWorldThatAListenerStepsActsForTheStepOfThatListener() {
         World inner = new World(Integrator.EULER, Timestep.fixed(10).withMaxSteps(9));
         inner.add(new Unit(1));
         inner.addAfterStep((w, dt) -> unit.applyForce(10, 0));
@@ -512,7 +512,7 @@ class ListenerForcesTest {
 
     @ParameterizedTest
     @CsvSource({"1, 10, 0", "1, 0, 10", "600, 10, 0", "600, 0, 10", "1100, 10, 0", "1100, 0, 10"})
-    void theLastUnitTakesItsWaitingForceIntoTheGap(int units, double fx, double fy) {
+    void theLastUnitKeepsItsWaitingForceWhenItTakesAnotherRow(int units, double fx, double fy) {
         while (world.size() < units + 2) world.add(new Unit(1));
         Unit last = world.get(world.size() - 1);
         StepListener push = (w, dt) -> last.applyForce(fx, fy);
@@ -534,9 +534,9 @@ class ListenerForcesTest {
         for (Unit each : world) if (each != last) assertEquals(0, each.getSpeed());
     }
 
-    /** In the listener itself, too, and the unit that is added to its row has none. */
+    /** Also in the listener itself; a unit that is added in the free row has no waiting force. */
     @Test
-    void aUnitThatTakesTheRowOfAnotherHasItsOwnWaitingForce() {
+    void aUnitThatTakesTheRowOfAnotherKeepsItsOwnWaitingForce() {
         Unit late = new Unit(1);
         StepListener change = (w, dt) -> {
             unit.applyForce(10, 0);
@@ -556,7 +556,7 @@ class ListenerForcesTest {
     }
 
     @Test
-    void aWaitingForceMovesAUnitThatWasAtRestForLong() {
+    void aWaitingForceMovesAUnitInASleepingTile() {
         while (world.size() < 1100) world.add(new Unit(1));
         for (int i = 0; i < 20; i++) world.step();
         for (Unit pushed : List.of(world.get(0), world.get(511), world.get(512), world.get(1099))) {

@@ -15,7 +15,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** Impulse that waits for a tick can be seen, and stays in the world when the unit leaves. */
+/** The impulse that waits for a step has getters. A unit that leaves the world loses it. */
 class PendingImpulseTest {
     private final World world = new World(Integrator.EULER, Timestep.fixed(10));
     private final Unit unit = world.add(new Unit(1)), other = world.add(new Unit(1));
@@ -27,7 +27,7 @@ class PendingImpulseTest {
     }
 
     @Test
-    void theGettersTellWhatTheNextStepWillUse() {
+    void theGettersReturnTheImpulseOfTheNextStep() {
         unit.applyForce(100, -40);
         assertEquals(100, unit.getFx());
         assertEquals(0, world.advance(0.05));
@@ -55,9 +55,9 @@ class PendingImpulseTest {
         assertEquals(0, other.getPendingImpulseX());
     }
 
-    /** A unit of a pool: removed, set to rest, added again. */
+    /** A unit from an object pool: removed, stopped, added again. */
     @Test
-    void aPooledUnitComesBackAtRest() {
+    void aPooledUnitReturnsAtRest() {
         unit.applyForce(100, 100);
         world.advance(0.05);
         unit.applyForce(100, 100);
@@ -71,7 +71,7 @@ class PendingImpulseTest {
     }
 
     @Test
-    void whoeverLeavesInWhateverWayLeavesItBehind() {
+    void aUnitThatLeavesInAnyWayLosesItsPendingImpulse() {
         List<Consumer<World>> ways = List.of(
                 w -> w.remove(w.get(0)),
                 w -> w.removeIf(any -> true),
@@ -99,7 +99,7 @@ class PendingImpulseTest {
     }
 
     @Test
-    void whoeverJoinsBringsNoForce() {
+    void aUnitThatJoinsHasNoForce() {
         Unit late = new Unit(1);
         late.applyForce(7, 7);
         world.add(late);
@@ -109,7 +109,7 @@ class PendingImpulseTest {
     }
 
     @Test
-    void theLastUnitTakesItsOwnIntoTheGap() {
+    void theLastUnitKeepsItsPendingImpulseWhenItTakesAnotherRow() {
         other.applyForce(100, 0);
         world.advance(0.05);
         other.applyForce(0, 100);
@@ -122,7 +122,7 @@ class PendingImpulseTest {
     }
 
     @Test
-    void clearForcesTakesItBack() {
+    void clearForcesDiscardsThePendingImpulse() {
         unit.applyForce(100, 0);
         world.advance(0.05);
         unit.clearForces();
@@ -131,7 +131,7 @@ class PendingImpulseTest {
         assertEquals(0, unit.getVx());
     }
 
-    /** The carried time becomes the same part of another step, and its forces push alike. */
+    /** The waiting time becomes a part of a step of another length, with the same force. */
     @Test
     void anotherRateKeepsTheWaitingTimeAndTheConstantForce() {
         for (int rate : new int[] {1, 10, 30, 100}) {
@@ -148,7 +148,7 @@ class PendingImpulseTest {
             pushed.applyForce(100, 0);
             double step = 1.0 / rate;
             assertTrue(w.advance(Math.max(step - 0.025, step)) > 0);
-            assertEquals(100, seen[0], 1e-12, "a constant force stays what it is");
+            assertEquals(100, seen[0], 1e-12, "a constant force stays constant");
         }
     }
 
@@ -168,19 +168,19 @@ class PendingImpulseTest {
         assertEquals(0.25, world.getTime(), 1e-15, "it waits no longer");
     }
 
-    private Unit pushedInAnotherBlock(double fx, double fy) {
+    private Unit pushedInAnotherTile(double fx, double fy) {
         while (world.size() <= Tiles.TILE) world.add(new Unit(1));
-        world.advance(0.1); // so that nothing is left of what there may have been
+        world.advance(0.1); // so that nothing is pending before the test continues
         Unit last = world.get(Tiles.TILE);
         last.applyForce(fx, fy);
         return last;
     }
 
-    /** Whichever component it is, and though nothing else of its new block has any. */
+    /** For each component, also if no other unit of its new tile has a pending impulse. */
     @ParameterizedTest
     @CsvSource({"100, 0", "0, 100"})
-    void theLastUnitTakesItsOwnIntoAnotherBlock(double fx, double fy) {
-        Unit last = pushedInAnotherBlock(fx, fy);
+    void theLastUnitKeepsItsPendingImpulseInAnotherTile(double fx, double fy) {
+        Unit last = pushedInAnotherTile(fx, fy);
         world.advance(0.05);
         long hash = world.stateHash();
         world.remove(unit);
@@ -192,11 +192,11 @@ class PendingImpulseTest {
         assertEquals(fy / 20, last.getVy(), 1e-14);
     }
 
-    /** So does what a frame gives to each of its steps, and what is to act in the next one. */
+    /** The same for the force of a frame's steps and the force that waits for the next step. */
     @ParameterizedTest
     @CsvSource({"100, 0", "0, 100"})
-    void theLastUnitTakesAFramesForceIntoAnotherBlock(double fx, double fy) {
-        Unit last = pushedInAnotherBlock(fx, fy);
+    void theLastUnitKeepsTheForceOfTheFrameInAnotherTile(double fx, double fy) {
+        Unit last = pushedInAnotherTile(fx, fy);
         world.addBeforeStep((w, dt) -> {
             if (w.getTick() == 2) w.remove(unit);
         });
@@ -207,7 +207,7 @@ class PendingImpulseTest {
     }
 
     @Test
-    void timeAndTicksGoOnThroughEveryChange() {
+    void everyChangePreservesTimeAndTicks() {
         world.advance(0.25);
         world.setTimestep(Timestep.fixed(4));
         assertEquals(0.2, world.getTime(), 1e-15);

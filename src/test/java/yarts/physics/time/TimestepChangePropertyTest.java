@@ -24,19 +24,19 @@ import yarts.physics.World;
 import yarts.physics.snapshot.Saves;
 import yarts.physics.support.Doubles;
 
-/** No sequence of changes of the timestep makes or loses time or impulse. */
+/** No sequence of changes of the timestep adds or loses time or impulse. */
 class TimestepChangePropertyTest {
     private static final MathContext DIGITS = new MathContext(60, RoundingMode.HALF_EVEN);
 
-    /** Steps of up to 1 s and catch-up limits that no frame here reaches. */
+    /** Steps of up to 1 s and catch-up limits that no frame of this test reaches. */
     private static final int NO_LIMIT = 100_000_000;
 
     /** A frame, and the timestep that is set before it, or null. */
     record Frame(Timestep change, double seconds, double force) {}
 
     /**
-     * The rule in decimal arithmetic: the seconds that wait, and the pending impulse, which is spread evenly over them.
-     * Steps use the oldest time first. The number of steps is the world's own, because it rounds to 1e-9 of a step.
+     * The rule in decimal arithmetic: the waiting seconds, and the pending impulse, distributed evenly over them. Steps
+     * use the oldest time first. The number of steps is that of the world, because it rounds to 1e-9 of a step.
      */
     private static final class Model {
         BigDecimal waiting = BigDecimal.ZERO, pending = BigDecimal.ZERO, arrived = BigDecimal.ZERO;
@@ -63,7 +63,7 @@ class TimestepChangePropertyTest {
         }
     }
 
-    /** In whole nanoseconds, which are counted exactly: the sum is exact apart from the rounding of doubles. */
+    /** In whole nanoseconds, which are counted exactly, so only doubles are rounded. */
     @Property(tries = 1000)
     void impulseArrivesOrIsPending(
             @ForAll @Size(max = 80) List<@From("frames") Frame> frames,
@@ -77,7 +77,7 @@ class TimestepChangePropertyTest {
             if (frame.change != null) {
                 double pending = unit.getPendingImpulseX(), v = unit.getVx();
                 world.setTimestep(frame.change);
-                assertEquals(pending + 0.0, unit.getPendingImpulseX() + 0.0, "a change keeps it as it is");
+                assertEquals(pending + 0.0, unit.getPendingImpulseX() + 0.0, "a change preserves it");
                 assertEquals(v, unit.getVx());
             }
             unit.applyForce(frame.force, 0);
@@ -88,16 +88,16 @@ class TimestepChangePropertyTest {
             scale += Math.abs(frame.force) * (frame.seconds + 1);
             split = Math.max(split, Math.abs(frame.force));
             double arrived = mass * unit.getVx(), pending = unit.getPendingImpulseX();
-            assertEquals(applied, arrived + pending, 1e-11 * scale, "no impulse is lost or made");
+            assertEquals(applied, arrived + pending, 1e-11 * scale, "no impulse is lost or added");
             double rounding = 1e-11 * scale + 1e-8 * split;
             assertEquals(model.arrived.doubleValue(), arrived, rounding * frames.size(), "arrived");
             assertEquals(model.pending.doubleValue(), pending, rounding * frames.size(), "pending");
         }
     }
 
-    /** For any times, not only whole nanoseconds. */
+    /** For any time, not only whole nanoseconds. */
     @Property(tries = 1000)
-    void timeIsRunOrDroppedOrWaits(@ForAll @Size(max = 80) List<@From("limitedFrames") Frame> frames) {
+    void elapsedTimeIsRunOrDroppedOrWaits(@ForAll @Size(max = 80) List<@From("limitedFrames") Frame> frames) {
         World world = new World();
         BigDecimal in = BigDecimal.ZERO;
         double rounding = 2e-9;
@@ -115,12 +115,12 @@ class TimestepChangePropertyTest {
             in = in.add(new BigDecimal(frame.seconds));
             double out = world.getTime() + world.getDroppedTime(), waits = TimestepChangeTest.waiting(world);
             rounding += 8 * Math.ulp(out) + Math.ulp(frame.seconds);
-            assertEquals(in.subtract(new BigDecimal(out)).doubleValue(), waits, rounding, "no time is lost or made");
+            assertEquals(in.subtract(new BigDecimal(out)).doubleValue(), waits, rounding, "no time is lost or added");
             assertAlpha(world, waits);
         }
     }
 
-    /** The part of a step that waits; just below 1 if that is more than a step. */
+    /** The fraction of a step that waits; just below 1 if more than a step waits. */
     private static void assertAlpha(World world, double waits) {
         double alpha = world.getAlpha();
         assertTrue(alpha >= 0 && alpha < 1 && (float) alpha < 1, () -> "alpha " + alpha);
@@ -131,7 +131,7 @@ class TimestepChangePropertyTest {
 
     /** Also while more than a step waits, and while time waits for a variable step. */
     @Property(tries = 300)
-    void aWorldGoesOnFromASaveAsWithoutIt(
+    void aRestoredWorldContinuesAsTheSavedOne(
             @ForAll @Size(min = 1, max = 30) List<@From("limitedFrames") Frame> frames, @ForAll Integrator integrator) {
         World world = new World(integrator, Timestep.fixed(60));
         world.add(new Unit(2).setFriction(0.5));
@@ -153,9 +153,9 @@ class TimestepChangePropertyTest {
         }
     }
 
-    /** There and back without time in between, through any others. */
+    /** A change to any other rates and back, without an advance between them. */
     @Property(tries = 1000)
-    void aRateThatIsSetAgainFindsTheAlphaThatItHad(
+    void aRateThatIsSetAgainHasTheAlphaThatItHad(
             @ForAll("rates") int rate,
             @ForAll @From("seconds") double seconds,
             @ForAll @Size(max = 6) List<@From("timesteps") Timestep> others) {

@@ -15,15 +15,15 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.snapshot.Saves;
 
-/** A change of the timestep keeps the time that waits and the impulse that is pending, by example. */
+/** Examples of changes of the timestep, which preserve the waiting time and the pending impulse. */
 class TimestepChangeTest {
-    /** For which alpha is as close to 1 as it comes. */
+    /** The greatest alpha, as a float. */
     private static final float ALMOST_ONE = Math.nextDown(1f);
 
     private final World world = new World(Integrator.EXACT, Timestep.fixed(60));
     private final Unit unit = world.add(new Unit(1));
 
-    /** {@return the seconds that wait in a world} At 1 step/s that is alpha, as they are less than 1 s. */
+    /** {@return the waiting seconds of a world} At 1 step/s they are alpha, because they are less than 1 s. */
     static double waiting(World world) {
         World copy = new World();
         copy.restore(world.save());
@@ -35,7 +35,7 @@ class TimestepChangeTest {
         assertTrue(alpha >= 0 && alpha < 1 && (float) alpha < 1, () -> "alpha " + alpha);
     }
 
-    /** The rate changes within a step. If alpha stayed the same at the change, 60 s would become up to 120 s. */
+    /** The rate changes within a step. If a change preserved alpha, 60 s would become up to 120 s. */
     @ParameterizedTest
     @ValueSource(ints = {60, 75, 90, 100, 144, 240})
     void sixtySecondsOfFramesAreSixtySecondsOfTheGameAtChangingRates(int framesPerSecond) {
@@ -49,7 +49,7 @@ class TimestepChangeTest {
         assertEquals(60, world.getTime() + waiting(world), 1e-8);
     }
 
-    /** 600 N for 0.01 s. If it stayed the same fraction of a step, 18 N·s would arrive at 20 steps/s. */
+    /** 600 N for 0.01 s. If a change preserved the fraction of a step, 18 N·s would arrive at 20 steps/s. */
     @Test
     void sixNewtonSecondsArriveInStepsOfAnyLength() {
         for (Timestep next : List.of(
@@ -78,7 +78,7 @@ class TimestepChangeTest {
 
     @ParameterizedTest
     @CsvSource({"10, 0.25", "20, 0.5", "1, 0.025", "30, 0.75", "39, 0.975", "7, 0.175"})
-    void alphaFollowsFromTheTimeThatWaits(int rate, double alpha) {
+    void alphaFollowsFromTheWaitingTime(int rate, double alpha) {
         world.setTimestep(Timestep.fixed(10));
         world.advance(0.025);
         world.setTimestep(Timestep.fixed(rate));
@@ -87,18 +87,18 @@ class TimestepChangeTest {
 
     @ParameterizedTest
     @ValueSource(ints = {40, 41, 100, 1000, 1_000_000})
-    void alphaStaysBelowOneWhereMoreThanAStepWaits(int rate) {
+    void alphaStaysBelowOneIfMoreThanAStepWaits(int rate) {
         world.setTimestep(Timestep.fixed(10));
         world.advance(0.025);
         world.setTimestep(Timestep.fixed(rate));
         assertEquals(ALMOST_ONE, world.getAlpha());
         world.setTimestep(Timestep.fixed(10));
-        assertEquals(0.25, world.getAlpha(), 1e-9, "and nothing is lost by that");
+        assertEquals(0.25, world.getAlpha(), 1e-9, "no time is lost");
     }
 
-    /** n frames of 1.0/n s are a second, also if the time that waits is counted otherwise in between. */
+    /** n frames of 1.0/n s are a second, also if the waiting time is counted at another rate between them. */
     @Test
-    void noStepIsLateAfterAChangeThereAndBack() {
+    void noStepIsLateAfterAChangeOfTheRateAndBack() {
         Timestep usual = Timestep.fixed(60).withMaxSteps(60);
         for (int n = 1; n <= 300; n++) {
             for (Timestep other : List.of(Timestep.fixed(7), Timestep.fixed(144), Timestep.variable(0.1))) {
@@ -114,9 +114,11 @@ class TimestepChangeTest {
         }
     }
 
-    /** The frames of 1.0/n s leave a rounding error of some millionths of a part, which must not become a part. */
+    /**
+     * The frames of 1.0/n s leave a rounding error of some millionths of 1e-9 of a step, which must not be rounded up.
+     */
     @Test
-    void noStepIsLateAfterAChangeThereAndBackWithARoundingError() {
+    void noStepIsLateAfterAChangeOfTheRateAndBackWithARoundingError() {
         Timestep usual = Timestep.fixed(10);
         for (int n = 1; n <= 300; n++) {
             for (Timestep other : List.of(Timestep.fixed(7), Timestep.fixed(144), Timestep.variable(0.1))) {
@@ -131,7 +133,7 @@ class TimestepChangeTest {
     }
 
     @Test
-    void theTimeThatWaitsIsRunInTheNewSteps() {
+    void theWaitingTimeIsRunInTheNewSteps() {
         world.setTimestep(Timestep.fixed(1));
         assertEquals(0, world.advance(0.9));
         world.setTimestep(Timestep.fixed(60).withMaxSteps(100));
@@ -142,7 +144,7 @@ class TimestepChangeTest {
     }
 
     @Test
-    void theTimeThatWaitsIsDroppedBeyondTheCatchUpLimit() {
+    void theWaitingTimeBeyondTheCatchUpLimitIsDropped() {
         world.setTimestep(Timestep.fixed(1));
         world.advance(0.9);
         world.setTimestep(Timestep.fixed(60));
@@ -170,12 +172,12 @@ class TimestepChangeTest {
         assertEquals(9 * (1 - old / 0.045), unit.getVx(), 1e-7);
         assertEquals(9 * old / 0.045, unit.getPendingImpulseX(), 1e-7);
         assertEquals(9, unit.getVx() + unit.getPendingImpulseX(), 1e-14);
-        assertEquals(100 * (0.046 - after), unit.getVy(), 1e-7, "a constant force is constant");
+        assertEquals(100 * (0.046 - after), unit.getVy(), 1e-7, "a constant force stays constant");
         assertEquals(100 * after, unit.getPendingImpulseY(), 1e-7);
         assertEquals(4.6, unit.getVy() + unit.getPendingImpulseY(), 1e-14);
     }
 
-    /** A constant push gives each step the same force, whatever the rates were. */
+    /** A constant push gives each step the same force, at any sequence of rates. */
     @ParameterizedTest
     @ValueSource(ints = {1, 10, 30, 60, 100, 144, 1000})
     void aConstantForceIsConstantThroughAChangeOfTheRate(int rate) {
@@ -194,7 +196,7 @@ class TimestepChangeTest {
     }
 
     @Test
-    void theTimeThatWaitsIsAddedToTheNextVariableFrame() {
+    void theWaitingTimeIsAddedToTheNextVariableFrame() {
         unit.applyForce(600, 0);
         world.advance(0.01);
         world.setTimestep(Timestep.variable(0.04));
@@ -210,15 +212,15 @@ class TimestepChangeTest {
         });
         assertEquals(2, world.advance(0.05));
         assertEquals(0.06, world.getTime(), 1e-9);
-        assertEquals(0.03, steps[1], 1e-9, "two equal steps of all that time");
+        assertEquals(0.03, steps[1], 1e-9, "two equal steps of the whole time");
         assertEquals(6 + 5, unit.getVx(), 1e-12);
         assertEquals(0, unit.getPendingImpulseX());
         assertEquals(1, world.advance(0.02));
-        assertEquals(0.08, world.getTime(), 1e-9, "and then it is used up");
+        assertEquals(0.08, world.getTime(), 1e-9, "and then no time waits");
     }
 
     @Test
-    void theTimeThatWaitsPassesThroughVariableStepsThatDoNotRun() {
+    void theWaitingTimeSurvivesVariableStepsThatDoNotRun() {
         unit.applyForce(600, 0);
         world.advance(0.01);
         world.setTimestep(Timestep.variable(0.04));
@@ -245,12 +247,12 @@ class TimestepChangeTest {
         world.advance(1e-10);
         assertEquals(pending, unit.getPendingImpulseX() + unit.getVx(), 1e-9);
         world.advance(0.01);
-        assertEquals(pending, unit.getVx(), 1e-9, "it acts once there is time for it");
+        assertEquals(pending, unit.getVx(), 1e-9, "it acts in a later step");
         assertEquals(0, unit.getPendingImpulseX());
     }
 
     @Test
-    void aChangeLeavesTimeTicksAndDroppedTimeAsTheyAre() {
+    void aChangeDoesNotChangeTimeTicksAndDroppedTime() {
         world.advance(0.777);
         double time = world.getTime(), dropped = world.getDroppedTime();
         assertTrue(dropped > 0);
@@ -269,7 +271,7 @@ class TimestepChangeTest {
     }
 
     @Test
-    void anotherLimitIsNoChangeOfTime() {
+    void anotherCatchUpLimitDoesNotChangeTheWaitingTime() {
         unit.applyForce(600, 6);
         world.advance(1 / 90.0);
         double alpha = world.getAlpha(), pending = unit.getPendingImpulseX();
@@ -283,7 +285,7 @@ class TimestepChangeTest {
 
     /** 0.999999999 s at 1 step/s are 999,999.999 steps at a million: the longest time that waits. */
     @Test
-    void theLongestTimeThatWaitsIsSavedAndRestored() {
+    void theLongestWaitingTimeIsSavedAndRestored() {
         world.setTimestep(Timestep.fixed(1));
         unit.applyForce(600, 6);
         assertEquals(0, world.advance(0.999_999_999));
@@ -301,9 +303,9 @@ class TimestepChangeTest {
         assertEquals(world.stateHash(), loaded.stateHash());
     }
 
-    /** 1e-15 s less than a second, of which a conversion to 1 step/s must not make a second that waits. */
+    /** 1e-15 s less than a second, which a conversion to 1 step/s must not round up to a second. */
     @Test
-    void theTimeThatWaitsStaysBelowASecondThroughRounding() {
+    void roundingDoesNotRaiseTheWaitingTimeToASecond() {
         Timestep slow = Timestep.fixed(1), fast = Timestep.fixed(1_000_000);
         world.setTimestep(fast);
         assertEquals(0, world.advance(1.00999998999999E-7));
@@ -317,7 +319,7 @@ class TimestepChangeTest {
     }
 
     @Test
-    void aSaveBetweenVariableStepsKeepsTheTimeThatWaits() {
+    void aSnapshotBetweenVariableStepsContainsTheWaitingTime() {
         unit.applyForce(600, 6);
         world.advance(0.01);
         world.setTimestep(Timestep.variable(0.04));
@@ -331,7 +333,10 @@ class TimestepChangeTest {
         assertEquals(world.stateHash(), loaded.stateHash());
     }
 
-    /** 1/144 s is no whole number of billionths of a step; nor are these of the one rate those of the other. */
+    /**
+     * 1/144 s is not a whole number of billionths of a step, and a billionth at one rate is not a whole number at
+     * another.
+     */
     @Test
     void aMillionChangesLoseNoTime() {
         Timestep[] rates = {Timestep.fixed(60), Timestep.fixed(144), Timestep.fixed(1), Timestep.fixed(997)};
@@ -344,9 +349,11 @@ class TimestepChangeTest {
         assertEquals(frames * (1 / 144.0), world.getTime() + waiting(world), 2e-9);
     }
 
-    /** As the guide says: at 10 m/s, 0.01 s after a step, it is drawn 0.4 of 1/60 s back, and then 0.8 of it. */
+    /**
+     * As in the guide: at 10 m/s and 0.01 s after a step, the unit is drawn 0.4 of 1/60 s back, and then 0.8 of 1/60 s.
+     */
     @Test
-    void unitsMayBeDrawnPartOfAStepBackAtAChange() {
+    void atAChangeUnitsMayBeDrawnBackByPartOfAStep() {
         unit.setVelocity(10, 0);
         world.advance(1 / 60.0);
         world.advance(0.01);

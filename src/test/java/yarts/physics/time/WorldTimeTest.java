@@ -12,7 +12,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** Steps, time, and what is drawn between two steps, by example. */
+/** Examples of steps, time, and interpolation between two steps. */
 public class WorldTimeTest {
     private final World world = new World(Integrator.EULER, Timestep.fixed(10));
     private final Unit unit = world.add(new Unit(1).setVelocity(10, -20));
@@ -46,7 +46,7 @@ public class WorldTimeTest {
     }
 
     @Test
-    void aForceSharesTheFateOfTheDroppedTime() {
+    void theImpulseOfDroppedTimeIsDropped() {
         World world = new World(Integrator.EULER, Timestep.fixed(10).withMaxSteps(3));
         Unit unit = world.add(new Unit(1));
         unit.applyForce(10, 0);
@@ -61,7 +61,7 @@ public class WorldTimeTest {
     }
 
     @Test
-    void aVariableFrameIsCutIntoEqualStepsAndForcesHoldOverAll() {
+    void aVariableFrameIsDividedIntoEqualStepsWithTheSameForce() {
         World world = new World(Integrator.EULER, Timestep.variable(0.1).withMaxSteps(5));
         Unit unit = world.add(new Unit(1));
         List<Double> steps = new ArrayList<>();
@@ -78,7 +78,7 @@ public class WorldTimeTest {
         assertEquals(unit.getX(), unit.getInterpolatedX());
     }
 
-    /** What a fault keeps from running is dropped, and counted. */
+    /** The time of steps that an exception prevents is dropped and counted. */
     @Test
     void theVariableStepsThatDidNotRunAreDropped() {
         World world = new World(Integrator.EULER, Timestep.variable(0.25).withMaxSteps(4));
@@ -91,7 +91,7 @@ public class WorldTimeTest {
     }
 
     @Test
-    void aVariableFrameIsCutIntoAsFewStepsAsWillDo() {
+    void aVariableFrameIsDividedIntoTheFewestSteps() {
         World world = new World(Integrator.EULER, Timestep.variable(0.25).withMaxSteps(100));
         double[] elapsed = {0.1, 0.25, 0.26, 0.5, 0.75, 0.8, 1, 20};
         int[] steps = {1, 1, 2, 2, 3, 4, 4, 80};
@@ -99,7 +99,7 @@ public class WorldTimeTest {
     }
 
     @Test
-    void withNoTimeAForceIsUsedUp() {
+    void aForceIsDiscardedIfTheTimeIsZero() {
         unit.applyForce(1000, 1000);
         world.step(0);
         assertEquals(0, unit.getFx());
@@ -112,7 +112,7 @@ public class WorldTimeTest {
     }
 
     @Test
-    void whatIsDrawnLiesBetweenTheLastTwoSteps() {
+    void theInterpolatedPositionLiesBetweenTheLastTwoSteps() {
         world.advance(0.225);
         assertEquals(2, unit.getX(), 1e-15);
         assertEquals(1.25, unit.getInterpolatedX(), 1e-15);
@@ -126,7 +126,7 @@ public class WorldTimeTest {
     }
 
     @Test
-    void aTeleportLeavesNoStreak() {
+    void aTeleportIsDrawnAtTheNewPositionAtOnce() {
         world.advance(0.25);
         unit.setPosition(1000, 2000);
         assertEquals(1000, unit.getInterpolatedX());
@@ -137,7 +137,7 @@ public class WorldTimeTest {
     }
 
     @Test
-    void thereIsNothingToInterpolateWithoutAFixedStep() {
+    void withoutAFixedStepTheInterpolatedPositionIsThePosition() {
         world.advance(0.15);
         world.step(1);
         assertEquals(unit.getX(), unit.getInterpolatedX());
@@ -152,7 +152,7 @@ public class WorldTimeTest {
     }
 
     @Test
-    void theAlphaOfTheLastNanosecondIsBelowOneAsAFloat() {
+    void alphaOneNanosecondBeforeAStepIsBelowOneAsAFloat() {
         world.advance(0.099_999_999_9999);
         assertEquals(1, world.getTick(), "rounded to 1e-9 of a step");
         World slow = new World(Integrator.EULER, Timestep.fixed(1));
@@ -161,9 +161,9 @@ public class WorldTimeTest {
         assertEquals(Math.nextDown(1f), (float) slow.getAlpha());
     }
 
-    /** Also of one that was of the game's own length, or alone. */
+    /** Also after a step(dt), and after integrate of one unit. */
     @Test
-    void aGameThatKeepsTheTimeDrawsBetweenAnyTwoSteps() {
+    void aGameThatKeepsTheTimeInterpolatesBetweenAnyTwoSteps() {
         world.step(0.4);
         assertEquals(4, unit.getX());
         assertEquals(4, unit.getInterpolatedX());
@@ -177,14 +177,14 @@ public class WorldTimeTest {
         assertArrayEquals(new float[] {1, -2}, floats);
         unit.integrate(1);
         assertEquals(14, unit.getInterpolatedX(0));
-        unit.setVelocity(0.1, 0).setPosition(1e16, 0); // where rounding would have it short of the end
+        unit.setVelocity(0.1, 0).setPosition(1e16, 0); // where rounding would end before the position
         world.step(1e9);
         assertEquals(unit.getX(), unit.getInterpolatedX(1));
         assertEquals(1e16, unit.getInterpolatedX(0));
     }
 
     @Test
-    void refusedTimesChangeNothing() {
+    void invalidTimesThrowAndChangeNothing() {
         unit.applyForce(1, 1);
         for (double bad : new double[] {-1, -Double.MIN_VALUE, Double.NaN, Double.POSITIVE_INFINITY, 1.1e9}) {
             Exception step = assertThrows(IllegalArgumentException.class, () -> world.step(bad));
@@ -199,7 +199,7 @@ public class WorldTimeTest {
     }
 
     @Test
-    void aTimestepSaysWhatItIs() {
+    void toStringOfATimestepHasItsValues() {
         assertEquals("Timestep.fixed(60).withMaxSteps(15)", Timestep.fixed(60).toString());
         assertEquals("Timestep.fixed(3).withMaxSteps(1)", Timestep.fixed(3).toString());
         assertEquals(
@@ -211,11 +211,11 @@ public class WorldTimeTest {
     }
 
     @Test
-    void aStepOfMinusNoTimeIsOneOfNoTime() {
+    void aStepOfMinusZeroSecondsIsAStepOfZeroSeconds() {
         World world = new World();
         List<Double> steps = new ArrayList<>();
         world.addBeforeStep((w, dt) -> steps.add(dt));
         world.step(-0.0);
-        assertEquals(List.of(0.0), steps); // which as objects are told apart
+        assertEquals(List.of(0.0), steps); // as objects, 0.0 and -0.0 are different
     }
 }

@@ -18,7 +18,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** Once it is warm, nothing that a game does every frame creates garbage: the JVM counts the bytes of each thread. */
+/** After warm-up, the calls of a frame allocate nothing. The JVM counts the bytes of each thread. */
 class AllocationTest {
     private static final int UNITS = 1000;
     private static final int WARM_UP = 300;
@@ -29,14 +29,14 @@ class AllocationTest {
     private static volatile Object escape;
 
     @BeforeAll
-    static void countersAreThere() {
+    static void allocationsAreCounted() {
         assumeTrue(ManagementFactory.getThreadMXBean() instanceof ThreadMXBean, "this JVM counts no allocations");
         threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         assumeTrue(threads.isThreadAllocatedMemorySupported(), "this JVM counts no allocations");
         threads.setThreadAllocatedMemoryEnabled(true);
     }
 
-    /** The fewest bytes of some batches: what the JVM itself may allocate now and then, in compiling, is not ours. */
+    /** The fewest bytes of several batches, because the JVM itself sometimes allocates when it compiles. */
     private static long fewestBytes(Runnable work) {
         for (int i = 0; i < WARM_UP; i++) work.run();
         long id = Thread.currentThread().getId();
@@ -59,7 +59,7 @@ class AllocationTest {
     }
 
     @Test
-    void theCounterSeesASingleObject() {
+    void theCounterDetectsASingleObject() {
         long bytes = fewestBytes(() -> escape = new Object());
         assertTrue(bytes >= 8 * REPEATS, () -> bytes + " bytes");
         World world = crowd(Integrator.EULER, Timestep.fixed(60));
@@ -94,7 +94,7 @@ class AllocationTest {
         assertTrue(world.getTick() > 1000);
     }
 
-    /** As a game would: forces and orders to all units by index, and a frame. */
+    /** A frame of a game: forces on all units by index, setters, and an advance. */
     private static void frame(World world, double elapsed) {
         for (int i = 0; i < world.size(); i++) {
             Unit unit = world.get(i);
@@ -107,7 +107,7 @@ class AllocationTest {
         world.advance(elapsed);
     }
 
-    /** With forces held, impulses pending and steps to interpolate over; and back again every other time. */
+    /** With waiting forces, pending impulses and interpolation; every second call restores. */
     @ParameterizedTest
     @EnumSource
     void savingRestoringAndHashingAllocateNothing(Integrator integrator) {
@@ -130,7 +130,7 @@ class AllocationTest {
         }
     }
 
-    /** Also where the units are just as many as there is room for. */
+    /** Also if the units fill the arrays exactly. */
     @Test
     void savingAllocatesNothingWithAnyNumberOfUnits() {
         World world = new World();
@@ -162,7 +162,7 @@ class AllocationTest {
         assertTrue(sum[0] > 0);
     }
 
-    /** Blocks that are pushed, coast, or are asleep; some units frozen and let go again, another integrator, another rate. */
+    /** Tiles that are pushed, coast or sleep; units that are frozen and released; other integrators and rates. */
     @Test
     void bulkForcesFreezingAndSettingsAllocateNothing() {
         World world = crowd(Integrator.EULER, Timestep.fixed(60));

@@ -16,7 +16,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** All units at once, from and to arrays of the game's: the same as one by one, to the bit. */
+/** The calls for all units, with arrays of the game, give the same bits as calls for each unit. */
 class BulkTest {
     private static World crowd(Integrator integrator, int units) {
         World world = new World(integrator, Timestep.fixed(60));
@@ -35,7 +35,7 @@ class BulkTest {
 
     @ParameterizedTest
     @EnumSource
-    void forcesInBulkAreForcesOneByOne(Integrator integrator) {
+    void applyForcesGivesTheBitsOfApplyForceForEachUnit(Integrator integrator) {
         for (int units : new int[] {0, 1, 31, 32, 33, 511, 512, 513, 5000}) {
             World bulk = crowd(integrator, units), single = crowd(integrator, units);
             for (int frame = 0; frame < 6; frame++) {
@@ -52,10 +52,10 @@ class BulkTest {
         }
     }
 
-    /** The bad one may be anywhere: those before it are not applied either. */
+    /** At any position of the invalid force: the forces before it are not applied either. */
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2, 1023, 1024, 1025, 1199})
-    void oneForceThatIsRefusedRefusesAll(int place) {
+    void ifOneForceIsInvalidNoForceIsApplied(int place) {
         World world = crowd(Integrator.EULER, 600);
         world.get(3).applyForce(1, 2);
         long hash = world.stateHash();
@@ -75,7 +75,7 @@ class BulkTest {
     }
 
     @Test
-    void arraysThatAreTooShortAreRefusedAndLeftAlone() {
+    void arraysThatAreTooShortThrowAndStayUnchanged() {
         World world = crowd(Integrator.EULER, 3);
         long hash = world.stateHash();
         double[] six = new double[6];
@@ -97,7 +97,7 @@ class BulkTest {
     }
 
     @Test
-    void copiesAreWhatTheGettersSay() {
+    void copiesEqualTheGetters() {
         World world = crowd(Integrator.EXACT, 5000);
         world.advance(0.04);
         double[] xy = new double[2 * 5000 + 3];
@@ -122,12 +122,12 @@ class BulkTest {
             assertEquals(world.get(i).getVx(), xy[2 + 2 * i]);
             assertEquals(world.get(i).getVy(), xy[3 + 2 * i]);
         }
-        assertEquals(0, xy[0] + xy[1] + xy[10_002] + drawn[0] + drawn[1] + drawn[10_002], "nothing beside");
+        assertEquals(0, xy[0] + xy[1] + xy[10_002] + drawn[0] + drawn[1] + drawn[10_002], "no other value changes");
     }
 
-    /** As a lockstep game draws: it steps by itself, and says how far it is. */
+    /** As in a lockstep game, which calls step() and passes its own alpha. */
     @Test
-    void alphaRunsFromBeforeTheStepToAfterIt() {
+    void alphaInterpolatesFromBeforeTheStepToAfterIt() {
         World world = new World();
         Unit tank = world.add(new Unit(1).setPosition(3, 4).setVelocity(10, -20));
         assertEquals(3, tank.getInterpolatedX(0), "no step yet");
@@ -136,10 +136,10 @@ class BulkTest {
         assertEquals(3.25, tank.getInterpolatedX(0.25), 1e-15);
         assertEquals(3, tank.getInterpolatedY(0.5), 1e-15);
         assertEquals(tank.getX(), tank.getInterpolatedX(1));
-        assertEquals(tank.getX(), tank.getInterpolatedX(), "without an alpha a step of its own is not interpolated");
+        assertEquals(tank.getX(), tank.getInterpolatedX(), "without an alpha, a step(dt) is not interpolated");
         tank.setVelocity(0, 0);
         world.step(0.1);
-        for (double alpha : new double[] {0, 0.3, 1}) assertEquals(4, tank.getInterpolatedX(alpha), "it stands");
+        for (double alpha : new double[] {0, 0.3, 1}) assertEquals(4, tank.getInterpolatedX(alpha), "it does not move");
         for (double bad : new double[] {Double.NaN, -1e-9, Math.nextUp(1.0), 2}) {
             String message = assertThrows(IllegalArgumentException.class, () -> tank.getInterpolatedX(bad))
                     .getMessage();
@@ -148,6 +148,6 @@ class BulkTest {
         }
         Unit alone = new Unit(1).setVelocity(1, 1);
         alone.integrate(1);
-        assertEquals(1, alone.getInterpolatedX(0), "alone there is nothing to interpolate");
+        assertEquals(1, alone.getInterpolatedX(0), "a unit alone is not interpolated");
     }
 }

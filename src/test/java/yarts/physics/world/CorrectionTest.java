@@ -12,14 +12,14 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Listeners;
 
-/** What the player sees while a game puts units where they belong: every frame of it is looked at. */
+/** The drawn positions in each frame while a game corrects the positions of units. */
 class CorrectionTest {
     private static final double FRAME = 0.0125, STEP = 0.1; // s
 
     private final World world = new World(Integrator.EULER, Timestep.fixed(10));
     private final Listeners listeners = new Listeners(world);
 
-    /** Where a unit is drawn in each of some frames. */
+    /** The drawn x of a unit in each of some frames. */
     private List<Double> drawn(Unit unit, int frames) {
         List<Double> xs = new ArrayList<>();
         float[] xy = new float[2 * world.size()];
@@ -32,7 +32,7 @@ class CorrectionTest {
         return xs;
     }
 
-    /** No frame goes backwards, and none farther than a unit of that speed can go. */
+    /** Checks that x never decreases, and never grows faster than the speed. */
     private static void assertSmooth(List<Double> xs, double speed) {
         for (int i = 1; i < xs.size(); i++) {
             double way = xs.get(i) - xs.get(i - 1);
@@ -41,7 +41,7 @@ class CorrectionTest {
     }
 
     @Test
-    void aWallIsNeverDrawnThrough() {
+    void noUnitIsDrawnInsideAWall() {
         Unit tank = world.add(new Unit(1).setPosition(9, 0).setVelocity(10, 5));
         listeners.setAfter((w, dt) -> {
             if (tank.getX() > 9.5) tank.moveTo(9.5, tank.getY()).setVelocity(0, tank.getVy());
@@ -51,12 +51,12 @@ class CorrectionTest {
         assertEquals(9.5, xs.stream().mapToDouble(x -> x).max().orElseThrow());
         assertEquals(9.5, xs.get(39));
         assertTrue(xs.get(12) > 9 && xs.get(12) < 9.5, "on its way there: " + xs.get(12));
-        assertEquals(2.5 - STEP / 2 * 5 + STEP * 5 / 2, tank.getY(), 1e-12); // it slides on
+        assertEquals(2.5 - STEP / 2 * 5 + STEP * 5 / 2, tank.getY(), 1e-12); // it slides along the wall
     }
 
-    /** Two that overlap are moved apart after each step, and neither is seen to jump. */
+    /** Two units that overlap are moved apart after each step; neither is drawn with a jump. */
     @Test
-    void anOverlapIsSolvedSmoothly() {
+    void theCorrectionOfAnOverlapIsDrawnSmoothly() {
         Unit a = world.add(new Unit(1).setPosition(0, 0).setVelocity(10, 0));
         Unit b = world.add(new Unit(1).setPosition(5, 0));
         listeners.setAfter((w, dt) -> {
@@ -70,17 +70,16 @@ class CorrectionTest {
             world.advance(FRAME);
             xs.add(a.getInterpolatedX());
             others.add(b.getInterpolatedX());
-            assertTrue(
-                    b.getInterpolatedX() - a.getInterpolatedX() >= 2 - 1e-9, "they are never drawn into one another");
+            assertTrue(b.getInterpolatedX() - a.getInterpolatedX() >= 2 - 1e-9, "they are never drawn overlapping");
         }
         assertSmooth(xs, 10);
         assertSmooth(others, 10);
-        assertTrue(others.get(79) > 7, "and one pushes the other along");
+        assertTrue(others.get(79) > 7, "one pushes the other");
     }
 
-    /** A map whose edges meet: a teleport on purpose, before the step. Modulo the map, it is drawn without a jump. */
+    /** A map that wraps round: a deliberate teleport before the step. Modulo the size of the map, there is no jump. */
     @Test
-    void aMapEdgeThatWrapsIsCrossedWithoutAStreak() {
+    void aUnitThatCrossesTheEdgeOfAMapThatWrapsIsDrawnWithoutAJump() {
         double map = 20;
         Unit tank = world.add(new Unit(1).setPosition(18.2, 0).setVelocity(10, 0));
         listeners.setBefore((w, dt) -> {
@@ -100,12 +99,15 @@ class CorrectionTest {
         assertEquals(2, jumps);
     }
 
-    /** The map's origin follows the tank: all units and the camera move by as much, and nothing on the screen does. */
+    /**
+     * The origin of the map follows the tank: all units and the camera are moved equally, so the picture does not
+     * change.
+     */
     @Test
-    void aFloatingOriginDoesNotShow() {
+    void aFloatingOriginDoesNotChangeThePicture() {
         Unit tank = world.add(new Unit(1).setVelocity(100, 0));
         Unit rock = world.add(new Unit(1).setPosition(50, 0));
-        double[] origin = {0, 0}; // of the state, and of the step that is drawn from
+        double[] origin = {0, 0}; // of the state, and of the step before
         listeners.setBefore((w, dt) -> {
             if (tank.getX() < 30) return;
             double shift = tank.getX();
@@ -124,18 +126,18 @@ class CorrectionTest {
         assertTrue(origin[0] > 400);
     }
 
-    /** A lift, a train: the game says where it is after each step. */
+    /** A lift or a train: the game sets its position after each step. */
     @Test
     void aUnitThatIsMovedByScriptIsDrawnSmoothly() {
         Unit lift = world.add(new Unit(1));
         listeners.setAfter((w, dt) -> lift.moveTo(3 * w.getTime(), 0));
         List<Double> xs = drawn(lift, 100);
         for (int i = 8; i < 100; i++) assertEquals(3 * FRAME, xs.get(i) - xs.get(i - 1), 1e-12);
-        assertEquals(3 * (100 * FRAME - STEP), xs.get(99), 1e-12, "a step behind the time, as all are");
+        assertEquals(3 * (100 * FRAME - STEP), xs.get(99), 1e-12, "a step behind the time, as all units");
     }
 
     @Test
-    void elsewhereItIsATeleport() {
+    void withoutAPositionBeforeTheStepAMoveIsATeleport() {
         Unit tank = world.add(new Unit(1).setVelocity(10, 0));
         world.advance(0.15);
         tank.setPosition(1000, 0);
@@ -148,10 +150,10 @@ class CorrectionTest {
         Unit elsewhere = new World().add(new Unit(1));
         listeners.setAfter((w, dt) -> elsewhere.moveTo(7, 0));
         world.advance(0.1);
-        assertEquals(7, elsewhere.getInterpolatedX(0), "of a world that is not being corrected");
+        assertEquals(7, elsewhere.getInterpolatedX(0), "a unit of another world");
     }
 
-    /** What lies too far apart to be interpolated is not. */
+    /** A distance that overflows is not interpolated. */
     @Test
     void aCorrectionAcrossAllDoublesStaysFinite() {
         Unit tank = world.add(new Unit(1).setPosition(-Double.MAX_VALUE, Double.MAX_VALUE));

@@ -25,7 +25,7 @@ import yarts.physics.Snapshot;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** An iterator notices every change of its world other than its own remove, at the next call of hasNext or next. */
+/** An iterator detects every change of its world except its own remove, in the next call of hasNext or next. */
 class IteratorTest {
     private static final int MOST = 6;
 
@@ -84,7 +84,7 @@ class IteratorTest {
         assertTrue(message != null && message.length() > 20, "the message says why: " + message);
     }
 
-    /** At whatever unit the iterator is, and however many there are. */
+    /** For each position of the iterator and several numbers of units. */
     private static void failsAfter(Kind kind, Consumer<World> change) {
         for (int units = 1; units <= MOST; units++) {
             for (int visited = 0; visited <= units; visited++) {
@@ -102,7 +102,7 @@ class IteratorTest {
 
     @ParameterizedTest
     @EnumSource
-    void anIteratorFailsWhicheverUnitWasRemoved(Kind kind) {
+    void anIteratorFailsAfterTheRemovalOfAnyUnit(Kind kind) {
         for (int leaver = 0; leaver < MOST; leaver++) {
             int index = leaver;
             failsAfter(kind, world -> world.remove(world.get(index % world.size())));
@@ -147,9 +147,9 @@ class IteratorTest {
         }
     }
 
-    /** Also if the last unit but one is removed, after which a comparison of index and size finds no change. */
+    /** Also if the last unit but one is removed, which a comparison of index and size does not detect. */
     @Test
-    void aLoopThatRemovesUnitsByTheWorldFails() {
+    void aLoopThatRemovesUnitsThroughTheWorldFails() {
         for (int units = 1; units <= MOST; units++) {
             for (int least = 1; least <= units; least++) {
                 World world = world(units);
@@ -189,7 +189,7 @@ class IteratorTest {
         }
     }
 
-    /** One that was made before the change. */
+    /** A sublist that was created before the change. */
     @Test
     void aSublistFailsAfterAChange() {
         for (int leaver = 0; leaver < 4; leaver++) {
@@ -204,7 +204,7 @@ class IteratorTest {
                 fails(list::size);
             }
             assertEquals(3, world.units().size());
-            assertEquals(3, sublist(world).size(), "a new one is of the new list");
+            assertEquals(3, sublist(world).size(), "a new sublist has the new units");
         }
     }
 
@@ -223,10 +223,10 @@ class IteratorTest {
         }
     }
 
-    /** Steps, orders to units and saves change no membership. */
+    /** Steps, setters of units and saves do not change the list. */
     @ParameterizedTest
     @EnumSource
-    void anIteratorGoesOnAfterWhatLeavesTheUnitsAsTheyAre(Kind kind) {
+    void anIteratorContinuesAfterCallsThatDoNotChangeTheList(Kind kind) {
         World world = world(8);
         Snapshot saved = world.save();
         Set<Unit> visited = new HashSet<>();
@@ -248,9 +248,9 @@ class IteratorTest {
         assertEquals(8, visited.size());
     }
 
-    /** Each subset of six units. */
+    /** Removes each subset of six units. */
     @Test
-    void itsOwnRemoveIsNoticedByNoneButOtherIterators() {
+    void onlyOtherIteratorsFailAfterTheRemoveOfAnIterator() {
         for (int leavers = 0; leavers < 1 << MOST; leavers++) {
             World world = world(MOST);
             List<Unit> before = List.copyOf(world.units());
@@ -280,7 +280,7 @@ class IteratorTest {
     }
 
     @Test
-    void removeFailsWithoutAUnitToRemoveAndAfterAnotherChange() {
+    void removeFailsWithoutACurrentUnitAndAfterAnotherChange() {
         World world = world(4);
         Iterator<Unit> iterator = world.iterator();
         assertThrows(IllegalStateException.class, iterator::remove);
@@ -298,7 +298,7 @@ class IteratorTest {
 
     /** The list of units is a view that cannot be modified, and so are its parts. */
     @Test
-    void theIteratorsOfTheListDoNotRemove() {
+    void theIteratorsOfTheListCannotRemove() {
         World world = world(4);
         for (Kind kind : Kind.values()) {
             if (kind == Kind.WORLD) continue;

@@ -14,7 +14,7 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Listeners;
 
-/** What is called before and after each step, and what is left of a step that it stops. */
+/** The calls of listeners before and after each step, and the effects of their exceptions. */
 class ListenerTest {
     private static final class Stop extends RuntimeException {
         private static final long serialVersionUID = 1;
@@ -29,7 +29,7 @@ class ListenerTest {
     private final Unit unit = world.add(new Unit(1));
 
     @Test
-    void bothAreCalledAboutEveryStepWithItsLength() {
+    void bothListenersAreCalledForEveryStepWithItsLength() {
         List<String> calls = new ArrayList<>();
         world.addBeforeStep((w, dt) -> calls.add("before " + w.getTick() + " " + dt));
         world.addAfterStep((w, dt) -> calls.add("after " + w.getTick() + " " + dt));
@@ -49,9 +49,9 @@ class ListenerTest {
                 calls);
     }
 
-    /** Nothing of a step that is stopped before it shows: it is drawn where the last finished one left it. */
+    /** A unit is drawn at its position after the last completed step. */
     @Test
-    void aStepThatIsStoppedDoesNotShow() {
+    void aCancelledStepDoesNotChangeTheDrawnPosition() {
         unit.setVelocity(10, 0);
         for (int i = 0; i < 100; i++) world.step(0.1);
         assertEquals(100, unit.getX(), 1e-12);
@@ -71,9 +71,9 @@ class ListenerTest {
         assertEquals(100.5, unit.getInterpolatedX(), 1e-12);
     }
 
-    /** As if the frame had been one in which no step fell due; in steps of a frame, as if it had ended before. */
+    /** As after a frame without a step; in a later step of a frame, as if the frame had ended before. */
     @Test
-    void aStepThatIsStoppedLeavesNoTraceInHashAndSave() {
+    void aCancelledStepDoesNotChangeHashAndSnapshot() {
         for (int good = 0; good < 3; good++) {
             World stopped = new World(Integrator.EXACT, Timestep.fixed(10).withMaxSteps(9)),
                     quiet = new World(Integrator.EXACT, Timestep.fixed(10).withMaxSteps(9));
@@ -91,7 +91,7 @@ class ListenerTest {
             });
             assertThrows(Stop.class, () -> stopped.advance(0.05 + 0.1 * (last + 1)));
             for (int i = 0; i < good; i++) {
-                // Of 5 N for 0.15 s or more, what falls in the remainder is pending; the rest is spread over the steps.
+                // 5 N for 0.15 s or more: the impulse of the remainder is pending, the rest acts in the steps.
                 double steps = good + 1, share = (0.05 + 0.1 * steps - 0.05) / (0.1 * steps);
                 quiet.get(0).applyForce(5 * share, 6 * share);
                 quiet.get(1).applyForce(7, 8);
@@ -101,7 +101,7 @@ class ListenerTest {
             assertEquals(quiet.get(1).getVx(), stopped.get(1).getVx(), 1e-13);
             for (Unit each : stopped) assertEquals(0, each.getFx());
             assertEquals(1 + good, stopped.getTick());
-            assertEquals(5 * 0.05, stopped.get(0).getPendingImpulseX(), 1e-13, "the remainder's part still waits");
+            assertEquals(5 * 0.05, stopped.get(0).getPendingImpulseX(), 1e-13, "the remainder still waits");
             assertEquals(0, stopped.get(1).getPendingImpulseX());
             Snapshot saved = stopped.save();
             World restored = new World();
@@ -111,7 +111,7 @@ class ListenerTest {
     }
 
     @Test
-    void stepAndAdvanceDropTheForcesOfAStoppedStepAlike() {
+    void stepAndAdvanceBothDiscardTheForcesOfACancelledStep() {
         for (boolean advance : new boolean[] {false, true}) {
             World w = new World(Integrator.EULER, Timestep.fixed(10).withMaxSteps(9));
             Unit pushed = w.add(new Unit(1)), other = w.add(new Unit(1));
@@ -129,7 +129,7 @@ class ListenerTest {
             assertEquals(0, pushed.getFx());
             assertEquals(0, other.getFy());
             own.clear();
-            if (!advance) assertEquals(before, w.stateHash(), "as if nothing had been");
+            if (!advance) assertEquals(before, w.stateHash(), "as before the call");
             w.step(0.1);
             assertEquals(0, pushed.getVx());
             assertEquals(0, other.getVy());
@@ -137,7 +137,7 @@ class ListenerTest {
     }
 
     @Test
-    void aStepIsFinishedEvenIfItsAfterStepThrows() {
+    void aStepIsCompleteEvenIfAListenerAfterItThrows() {
         unit.setVelocity(10, 0);
         listeners.setAfter((w, dt) -> stop());
         assertThrows(Stop.class, () -> world.advance(0.25));
@@ -146,25 +146,25 @@ class ListenerTest {
         assertEquals(0.5, unit.getInterpolatedX(), 1e-15, "half of the next step waits");
         assertEquals(0.1, world.getDroppedTime(), 1e-15);
         listeners.clear();
-        assertEquals(1, world.advance(0.05), "and the world steps on");
+        assertEquals(1, world.advance(0.05), "the world continues");
         assertThrows(Stop.class, () -> {
             listeners.setAfter((w, dt) -> stop());
             world.step(0.1);
         });
         assertEquals(3, world.getTick());
         unit.setPosition(50, 0);
-        assertEquals(50, unit.getInterpolatedX(0), "a teleport again, and no correction");
+        assertEquals(50, unit.getInterpolatedX(0), "a teleport, not a correction");
     }
 
     @Test
-    void aForceAfterAStepActsForTheNext() {
+    void aForceAfterAStepActsForTheNextStep() {
         listeners.setAfter((w, dt) -> {
             if (world.getTick() == 1) unit.applyForce(10, 0);
         });
         unit.applyForce(0, 10);
         assertEquals(2, world.advance(0.2));
-        assertEquals(1, unit.getVx(), 1e-15, "the frame's next step");
-        assertEquals(2, unit.getVy(), 1e-15, "to which the frame's force is added");
+        assertEquals(1, unit.getVx(), 1e-15, "in the next step of the frame");
+        assertEquals(2, unit.getVy(), 1e-15, "in addition to the force of the frame");
         assertEquals(0, unit.getFx());
         listeners.setAfter((w, dt) -> {
             if (world.getTick() == 3) unit.applyForce(10, 0);
@@ -172,21 +172,21 @@ class ListenerTest {
         world.advance(0.1);
         assertEquals(10, unit.getFx(), "it waits");
         assertEquals(0, world.advance(0.05));
-        assertEquals(10, unit.getFx(), "a frame without a step leaves it");
+        assertEquals(10, unit.getFx(), "it waits on in a frame without a step");
         assertEquals(0, unit.getPendingImpulseX());
         assertEquals(2, world.advance(0.15));
         assertEquals(2, unit.getVx(), 1e-15, "the first of the two steps");
     }
 
     @Test
-    void unitsMayComeAndGoAfterAStep() {
+    void aListenerAfterAStepMayAddAndRemoveUnits() {
         Unit second = world.add(new Unit(1).setVelocity(0, 10));
         Unit late = new Unit(1).setVelocity(5, 0);
         listeners.setAfter((w, dt) -> {
             if (world.getTick() != 1) return;
             world.remove(unit);
             world.add(late).setPosition(100, 200);
-            assertEquals(100, late.getInterpolatedX(0), "it is where it was put, and not on its way there");
+            assertEquals(100, late.getInterpolatedX(0), "it is drawn at its new position at once");
         });
         unit.applyForce(10, 0);
         second.applyForce(10, 0);
@@ -199,10 +199,10 @@ class ListenerTest {
     }
 
     @Test
-    void inNeitherMayTheWorldBeSteppedSavedRestoredOrSetUp() {
+    void aListenerCannotStepSaveRestoreOrSetTheWorld() {
         Snapshot saved = world.save();
         int[] refused = {0};
-        Runnable misuse = () -> {
+        Runnable makeInvalidCalls = () -> {
             for (Runnable call : List.<Runnable>of(
                     () -> world.step(1),
                     world::step,
@@ -221,7 +221,7 @@ class ListenerTest {
                 refused[0]++;
             }
         };
-        listeners.set((w, dt) -> misuse.run(), (w, dt) -> misuse.run());
+        listeners.set((w, dt) -> makeInvalidCalls.run(), (w, dt) -> makeInvalidCalls.run());
         world.step(1);
         assertEquals(16, refused[0]);
         assertEquals(1, world.getTick());

@@ -15,7 +15,7 @@ import yarts.physics.Snapshot;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** A small world takes little memory, and removing all units takes next to none. */
+/** A small world takes little memory, and the removal of all units allocates little. */
 class MemoryTest {
     private static final int REPEATS = 20;
 
@@ -23,7 +23,7 @@ class MemoryTest {
     private static volatile Object escape;
 
     @BeforeAll
-    static void countersAreThere() {
+    static void allocationsAreCounted() {
         assumeTrue(ManagementFactory.getThreadMXBean() instanceof ThreadMXBean, "this JVM counts no allocations");
         threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         assumeTrue(threads.isThreadAllocatedMemorySupported(), "this JVM counts no allocations");
@@ -60,7 +60,7 @@ class MemoryTest {
         assertTrue(restored < 30_000, () -> restored + " bytes for two worlds and a snapshot");
     }
 
-    /** Twenty units of 1.1 kB each, made outside it; the rest is the world. */
+    /** Twenty units of 1.1 kB each, created outside; the rest is the world. */
     @Test
     void aWorldOfTwentyUnitsTakesLessThanThirtyKilobytes() {
         Unit[] units = new Unit[20];
@@ -79,7 +79,7 @@ class MemoryTest {
     }
 
     @Test
-    void clearAllocatesNextToNothing() {
+    void clearAllocatesLittle() {
         long id = Thread.currentThread().getId();
         long fewest = Long.MAX_VALUE;
         for (int i = 0; i < 3; i++) {
@@ -94,9 +94,9 @@ class MemoryTest {
         assertTrue(bytes < 20_000, () -> bytes + " bytes");
     }
 
-    /** They share what was the world's table, and the world has another. */
+    /** They share the former table of the world, and the world has a new one. */
     @Test
-    void unitsThatLeftByClearAreUnitsAlone() {
+    void unitsThatLeftByClearMoveAlone() {
         World world = world(1000);
         List<Unit> units = List.copyOf(world.units());
         world.addAfterStep((w, dt) -> w.get(3).applyForce(5, 5));
@@ -133,9 +133,9 @@ class MemoryTest {
         assertNull(fresh.getWorld());
     }
 
-    /** Steps of a world and of units that left it do not touch one another. */
+    /** Steps of a world and of units that left it do not affect each other. */
     @Test
-    void aClearedWorldStepsItsNewUnitsAlone() {
+    void aClearedWorldStepsOnlyItsNewUnits() {
         World world = world(600);
         List<Unit> old = List.copyOf(world.units());
         world.clear();

@@ -2,7 +2,7 @@ package yarts.physics.world;
 
 import yarts.physics.Timestep;
 
-/** What a {@link Timestep} is made of: a rate, or 0 if steps are variable; the longest step; and the most at a time. */
+/** The values of a {@link Timestep}: rate, or 0 if steps are variable; longest step; and largest number of steps. */
 record Pace(int rate, double maxStep, int maxSteps) {
     static Pace fixed(int rate, int maxSteps) {
         return new Pace(rate, 1.0 / rate, maxSteps);

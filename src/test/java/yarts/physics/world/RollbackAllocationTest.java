@@ -23,23 +23,23 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.snapshot.Saves;
 
-/** What a game with rollback does every frame allocates nothing, but for units that are made or leave. */
+/** A game with rollback allocates nothing per frame, except for units that it creates or removes. */
 class RollbackAllocationTest {
     private static final int WARM_UP = 300;
     private static final int BATCHES = 20;
     private static final int REPEATS = 10;
 
-    /** A restore by which units leave allocates one table for them: its arrays, and a row of each for each unit. */
+    /** A restore that removes units allocates one table for them: its arrays, with a row for each unit. */
     private static final int TABLE = 2550, BYTES_PER_LEAVER = 208;
 
-    /** A unit outside a world has a table of its own: 1.1 kB. */
+    /** A unit outside a world has its own table: 1.1 kB. */
     private static final int BYTES_PER_UNIT = 1150;
 
     private static ThreadMXBean threads;
     private static volatile Object escape;
 
     @BeforeAll
-    static void countersAreThere() {
+    static void allocationsAreCounted() {
         assumeTrue(ManagementFactory.getThreadMXBean() instanceof ThreadMXBean, "this JVM counts no allocations");
         threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         assumeTrue(threads.isThreadAllocatedMemorySupported(), "this JVM counts no allocations");
@@ -53,8 +53,8 @@ class RollbackAllocationTest {
     }
 
     /**
-     * The fewest bytes that the calls of a batch allocate, without the preparation before each call. The JVM itself may
-     * allocate now and then, when it compiles; so the fewest count.
+     * The fewest bytes that the calls of a batch allocate, without the preparation before each call. The fewest,
+     * because the JVM itself sometimes allocates when it compiles.
      */
     private static long fewestBytes(Runnable prepare, Runnable work) {
         long id = Thread.currentThread().getId();
@@ -83,12 +83,12 @@ class RollbackAllocationTest {
     }
 
     @Test
-    void theCounterSeesASingleObject() {
+    void theCounterDetectsASingleObject() {
         assertTrue(fewestBytes(() -> escape = new Object()) >= 8 * REPEATS);
         assertEquals(0, fewestBytes(() -> escape = new Object(), RollbackAllocationTest::nothing));
     }
 
-    /** Save, predict 8 steps, go back, and look a unit up by its id. */
+    /** Saves, predicts 8 steps, restores, and finds a unit by its id. */
     @ParameterizedTest
     @EnumSource
     void aRollbackLoopAllocatesNothing(Integrator integrator) {
@@ -123,7 +123,7 @@ class RollbackAllocationTest {
         }));
     }
 
-    /** Past, present and future of one world, in any order. */
+    /** Snapshots of one world from several ticks, in any order. */
     @Test
     void restoringOneOfManySnapshotsAllocatesNothing() {
         World world = crowd(1000);
@@ -188,7 +188,7 @@ class RollbackAllocationTest {
         assertTrue(id[1] > 100);
     }
 
-    /** Also the first after units were added, removed or exchanged by a restore. */
+    /** Also the first call after units were added, removed or exchanged by a restore. */
     @Test
     void theFirstFindAfterAChangeOfTheUnitsAllocatesNothing() {
         World world = crowd(1000);
@@ -225,7 +225,7 @@ class RollbackAllocationTest {
                         find));
     }
 
-    /** Units that were removed since come back. */
+    /** Units that were removed after the save return. */
     @ParameterizedTest
     @ValueSource(ints = {1, 8, 100, 1000})
     void aRestoreThatBringsUnitsBackAllocatesNothing(int back) {
@@ -242,10 +242,10 @@ class RollbackAllocationTest {
         assertEquals(1000, world.size());
     }
 
-    /** One table for all of them. */
+    /** There is one table for all of them. */
     @ParameterizedTest
     @ValueSource(ints = {1, 8, 100, 1000})
-    void aRestoreByWhichUnitsLeaveAllocatesOneTableForThem(int leavers) {
+    void aRestoreThatRemovesUnitsAllocatesOneTableForThem(int leavers) {
         World world = crowd(1000);
         Snapshot snapshot = world.save();
         long bytes = fewestBytes(
@@ -258,13 +258,13 @@ class RollbackAllocationTest {
         assertTrue(bytes <= most * REPEATS, () -> bytes / REPEATS + " bytes for " + leavers + " units, not " + most);
     }
 
-    /** All that a loop with spawns may allocate: its units, and a table for those that leave. */
+    /** The allowed bytes are those of the new units and of a table for those that leave. */
     @Test
-    void aRollbackLoopWithSpawnsAllocatesForTheUnitsAlone() {
+    void aRollbackLoopWithSpawnsAllocatesOnlyForItsUnits() {
         World world = crowd(1000);
         Snapshot snapshot = new Snapshot();
         int spawns = 8;
-        for (int i = 0; i < 64; i++) world.add(new Unit(1)); // so that there is room for the spawns
+        for (int i = 0; i < 64; i++) world.add(new Unit(1)); // so that the arrays have free rows for the spawns
         world.removeIf(unit -> unit.getIndex() >= 1000);
         long bytes = fewestBytes(() -> {
             world.save(snapshot);
@@ -280,7 +280,7 @@ class RollbackAllocationTest {
     }
 
     @Test
-    void aUnitThatIsMadeOrRemovedAllocatesLittle() {
+    void creatingOrRemovingAUnitAllocatesLittle() {
         long made = fewestBytes(() -> escape = new Unit(1));
         assertTrue(made <= BYTES_PER_UNIT * REPEATS, () -> "made: " + made / REPEATS + " bytes");
         World world = crowd(1000);
@@ -295,12 +295,12 @@ class RollbackAllocationTest {
                             unit[0] = new Unit(1);
                         },
                         () -> world.add(unit[0])),
-                "added where there is room");
+                "added to free rows");
     }
 
-    /** The world works on, and so do the units that left. */
+    /** The world and the units that left can both be used. */
     @Test
-    void unitsThatLeftByARestoreAreUnitsAlone() {
+    void unitsThatLeftByARestoreMoveAlone() {
         World world = crowd(10);
         Snapshot snapshot = world.save();
         Unit a = world.add(new Unit(1).setPosition(1, 2)), b = world.add(new Unit(2).setPosition(3, 4));

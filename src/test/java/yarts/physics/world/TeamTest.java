@@ -27,10 +27,10 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** A world has the same bits on any number of threads, whatever becomes of them. */
-@Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // a step that never ends is to fail, not to hang
+/** A world has the same bits with any number of threads, in any state of the pool. */
+@Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // a step that never ends must fail, not block
 class TeamTest {
-    /** So many that seven threads get their least each. */
+    /** Enough units for seven threads. */
     private static final int MANY = 7 * Tiles.SHARE + 100;
 
     private final List<ForkJoinPool> pools = new ArrayList<>();
@@ -46,7 +46,7 @@ class TeamTest {
         pools.forEach(ForkJoinPool::shutdown);
     }
 
-    /** No two alike: some with forces, some above their cap, some at rest. */
+    /** All units differ: some have forces, some are at their cap, some are at rest. */
     private static World crowd(Integrator integrator, int units) {
         World world = new World(integrator, Timestep.fixed(60));
         for (int i = 0; i < units; i++) {
@@ -56,7 +56,7 @@ class TeamTest {
         return world;
     }
 
-    /** Runs every kind of step; returns the hash of each state on the way. */
+    /** Runs every kind of step; returns the hash after each. */
     private static List<Long> play(World world) {
         List<Long> hashes = new ArrayList<>();
         double[] lengths = {1 / 60.0, 1 / 60.0, 0.02, 0};
@@ -85,7 +85,7 @@ class TeamTest {
         }
     }
 
-    /** At the ends of tiles, and of the shares of one thread, two and three. */
+    /** Numbers of units at the borders of tiles, and of the work of one, two and three threads. */
     static IntStream sizes() {
         int tile = Tiles.TILE, two = 2 * Tiles.SHARE - tile, three = 3 * Tiles.SHARE - tile;
         IntStream ends = IntStream.of(tile / 2, tile, Tiles.SHARE, two, 2 * Tiles.SHARE, three)
@@ -96,7 +96,7 @@ class TeamTest {
 
     @ParameterizedTest
     @MethodSource("sizes")
-    void slicesLeaveOutNobodyAndStepNobodyTwice(int units) {
+    void severalThreadsStepEachUnitOnce(int units) {
         for (Integrator integrator : Integrator.values()) {
             World world = crowd(integrator, units);
             world.setPool(pool(3));
@@ -104,8 +104,8 @@ class TeamTest {
         }
     }
 
-    /** With as many threads as there are blocks, or fewer or more. */
-    static Stream<Arguments> fewBlocks() {
+    /** As many threads as tiles, or fewer, or more. */
+    static Stream<Arguments> fewTiles() {
         return IntStream.of(0, 1, Tiles.TILE / 2, Tiles.TILE, 2 * Tiles.TILE, 7 * Tiles.TILE)
                 .flatMap(end -> IntStream.of(end - 1, end, end + 1))
                 .filter(units -> units >= 0)
@@ -114,8 +114,8 @@ class TeamTest {
     }
 
     @ParameterizedTest
-    @MethodSource("fewBlocks")
-    void slicesOfAFewBlocksOrNoneDoTheSame(int units, int threads) {
+    @MethodSource("fewTiles")
+    void moreThreadsThanTilesGiveTheSameBits(int units, int threads) {
         for (Integrator integrator : Integrator.values()) {
             World world = crowd(integrator, units);
             world.setPool(pool(threads));
@@ -131,7 +131,7 @@ class TeamTest {
     }
 
     @Test
-    void thePoolsThreadsDoTakePart() {
+    void theThreadsOfThePoolTakePart() {
         ForkJoinPool pool = pool(4);
         World world = crowd(Integrator.EULER, MANY);
         play(world);
@@ -142,7 +142,7 @@ class TeamTest {
     }
 
     @Test
-    void aSmallWorldWakesNobody() {
+    void aSmallWorldUsesNoThreads() {
         ForkJoinPool pool = pool(4);
         World world = crowd(Integrator.EULER, 2 * Tiles.SHARE - Tiles.TILE);
         world.setPool(pool);
@@ -154,7 +154,7 @@ class TeamTest {
     }
 
     @Test
-    void aPoolThatIsShutDownLeavesTheWorkToTheCaller() throws Exception {
+    void ifThePoolIsShutDownTheCallerDoesTheWork() throws Exception {
         ForkJoinPool never = pool(4), used = pool(4);
         never.shutdown();
         World world = crowd(Integrator.MIDPOINT, MANY);
@@ -170,9 +170,9 @@ class TeamTest {
         assertEquals(play(alone), play(other));
     }
 
-    /** Both workers are kept busy, so that the slice still waits for its turn when the pool drops what waits. */
+    /** Both workers are busy, so the helper still waits when the pool discards waiting tasks. */
     @Test
-    void aPoolThatIsShutDownInTheMiddleOfAStepLosesNothing() throws Exception {
+    void aShutdownOfThePoolDuringAStepLosesNoWork() throws Exception {
         World alone = crowd(Integrator.EULER, MANY), world = crowd(Integrator.EULER, MANY);
         ForkJoinPool pool = pool(2), caller = pool(1);
         for (int i = 0; i < 2; i++) pool.execute(() -> LockSupport.parkNanos(Long.MAX_VALUE));
@@ -188,7 +188,7 @@ class TeamTest {
     }
 
     @Test
-    void theListenerMaySetThePoolOfTheStepThatFollows() {
+    void aListenerMaySetThePoolForTheStepAfterIt() {
         ForkJoinPool[] inTurn = {pool(2), null, pool(5), ForkJoinPool.commonPool()};
         World world = crowd(Integrator.EXACT, MANY);
         int[] step = {0};
@@ -198,7 +198,7 @@ class TeamTest {
     }
 
     @Test
-    void withoutAPoolAgainTheCallerStepsAlone() {
+    void afterSetPoolNullTheCallerStepsAlone() {
         ForkJoinPool pool = pool(2);
         World world = crowd(Integrator.EULER, MANY);
         world.setPool(pool);
@@ -207,10 +207,10 @@ class TeamTest {
         assertEquals(0, pool.getPoolSize());
     }
 
-    /** One worker, or all at once, and no thread is left to help but those that wait for help. */
+    /** One worker, or all at the same time, so that no thread of the pool is free to help. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
-    void workersOfThePoolMayStepWorldsThemselves(int worlds) throws Exception {
+    void threadsOfThePoolMayStepWorlds(int worlds) throws Exception {
         ForkJoinPool pool = pool(3);
         List<Long> expected = alone(Integrator.EXACT, MANY);
         List<ForkJoinTask<List<Long>>> games = new ArrayList<>();

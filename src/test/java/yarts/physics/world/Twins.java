@@ -30,12 +30,12 @@ import yarts.physics.World;
 import yarts.physics.support.Listeners;
 
 /**
- * A world beside a plain model of it: lists, and for every unit a twin that is never in a world. Time is counted in
- * integers, and a force's impulse as its definition says. Each step's forces must be those of the model but for
- * rounding; the twin then takes them as they are, so that whatever follows must be the same bits.
+ * A world and a plain model of it: lists, and for each unit a twin that is never in a world. The model counts time in
+ * integers and computes the impulse of a force by its definition. The forces of each step must equal those of the model
+ * within rounding. The twin then uses the forces of the world, so that everything else must have the same bits.
  */
 final class Twins {
-    /** Time waits in parts of a nanosecond, of which there are a multiple of every rate. */
+    /** The unit of waiting time is a fraction of a nanosecond. Their number in a second is a multiple of every rate. */
     private static final BigInteger NANOSECOND = BigInteger.valueOf(9_000_000);
 
     private static final BigInteger SECOND = NANOSECOND.multiply(BigInteger.valueOf(1_000_000_000));
@@ -44,9 +44,9 @@ final class Twins {
     private static final class Twin {
         final Unit unit;
         final Unit alone;
-        /** The force of each step of the frame in hand; the force for the next step alone; and what is pending. */
+        /** The force in each step of the current frame; the force for only the next step; and the pending impulse. */
         final double[] frame = new double[2], once = new double[2], pending = new double[2];
-        /** Of what rounding errors are judged by. */
+        /** The magnitudes to which rounding errors are compared. */
         final double[] scale = new double[2];
 
         double previousX, previousY;
@@ -57,7 +57,7 @@ final class Twins {
             this.alone = alone;
         }
 
-        /** The same as it is now, or was, with a unit of the world's. */
+        /** A copy of this twin's state, for a unit of the world. */
         Twin copy(Unit unit) {
             Twin copy = new Twin(unit, Copies.of(alone));
             for (int k = 0; k < 2; k++) {
@@ -77,7 +77,10 @@ final class Twins {
             previousY = alone.getY();
         }
 
-        /** A frame in which nothing falls due, and after which {@code after} seconds wait: time is rounded as they are. */
+        /**
+         * A frame without a step, after which {@code after} seconds wait; the rounding error of time is relative to
+         * them.
+         */
         void hold(double elapsed, double after) {
             double[] f = {alone.getFx(), alone.getFy()};
             for (int k = 0; k < 2; k++) {
@@ -87,11 +90,14 @@ final class Twins {
             alone.clearForces();
         }
 
-        /** A frame of which the steps cover {@code now} seconds; of the pending impulse, a part is kept. */
+        /**
+         * A frame whose steps cover {@code now} of its seconds; the fraction {@code kept} of the pending impulse stays
+         * pending.
+         */
         void spread(double kept, double now, double later, double covered) {
             double[] f = {alone.getFx(), alone.getFy()};
             for (int k = 0; k < 2; k++) {
-                if (covered < 1e-9) { // a variable step: what is pending waits on
+                if (covered < 1e-9) { // a variable step: the pending impulse continues to wait
                     frame[k] = f[k];
                     scale[k] += Math.abs(f[k]);
                     continue;
@@ -110,7 +116,7 @@ final class Twins {
             for (int k = 0; k < 2; k++) scale[k] += Math.abs(k == 0 ? fx : fy);
         }
 
-        /** Steps by the forces of a call of step: those applied since the last step, and those that waited for it. */
+        /** Steps with the forces of a call of step: those applied since the last step, and the waiting ones. */
         void step(double dt, Integrator integrator) {
             settle();
             alone.applyForce(once[0], once[1]);
@@ -132,7 +138,7 @@ final class Twins {
             alone.integrate(dt, integrator);
         }
 
-        /** What rounding may come to; that of subnormal numbers does not shrink with them. */
+        /** The allowed rounding error; that of subnormal numbers is not relative. */
         private double rounding(int k) {
             return 1e-14 * scale[k] + 1e-300;
         }
@@ -153,7 +159,7 @@ final class Twins {
         }
     }
 
-    /** All that a save has to know. */
+    /** The state of the model that belongs to a snapshot. */
     private record Save(
             Snapshot snapshot,
             long hash,
@@ -171,7 +177,7 @@ final class Twins {
     private Pace pace;
     private final List<Twin> inside = new ArrayList<>();
     private final List<Twin> outside = new ArrayList<>();
-    /** Those of this world. */
+    /** The snapshots of this world. */
     private final List<Save> saves = new ArrayList<>();
 
     private long tick, lastId;
@@ -183,7 +189,7 @@ final class Twins {
         move(Integrator.EULER, Pace.fixed(60, 15));
     }
 
-    /** All units of the world move to a new one. What they were to be pushed by stays behind. */
+    /** Moves all units to a new world. They lose the forces that have not acted. */
     void move(Integrator integrator, Pace pace) {
         this.integrator = integrator;
         this.pace = pace;
@@ -208,14 +214,14 @@ final class Twins {
         world.setIntegrator(integrator);
     }
 
-    /** Waiting time and pending impulses stay. */
+    /** Preserves waiting time and pending impulses. */
     void setPace(Pace next) {
         world.setTimestep(next.timestep());
         interpolating &= next.isFixed();
         pace = next;
     }
 
-    /** A unit made twice, one of them added. */
+    /** Creates a unit twice and adds one of the two. */
     void addNew(double mass, double friction) {
         Twin twin = new Twin(new Unit(mass).setFriction(friction), new Unit(mass).setFriction(friction));
         outside.add(twin);
@@ -281,7 +287,7 @@ final class Twins {
         saves.add(new Save(snapshot, world.stateHash(), copies, integrator, pace, now, lastId));
     }
 
-    /** Back to a save, with the same objects. */
+    /** Restores a snapshot with the same unit objects. */
     void restore(int pick) {
         if (saves.isEmpty()) return;
         Save save = saves.get(pick % saves.size());
@@ -289,7 +295,7 @@ final class Twins {
         restored(save, save.inside.stream().map(twin -> twin.unit).collect(Collectors.toList()));
     }
 
-    /** To a save that was written and read: who is here stays, the others are made. */
+    /** Restores a snapshot from bytes: units that are in the world stay, and a factory creates the others. */
     void load(int pick) {
         if (saves.isEmpty()) return;
         Save save = saves.get(pick % saves.size());
@@ -332,7 +338,7 @@ final class Twins {
         assertEquals(save.hash, world.stateHash());
     }
 
-    /** Who is here is found, and nobody else. */
+    /** Checks that find returns exactly the units of the world. */
     void find(int pick) {
         for (Twin twin : inside) assertSame(twin.unit, world.find(twin.id));
         boolean there = inside.stream().anyMatch(twin -> twin.id == pick);
@@ -343,8 +349,8 @@ final class Twins {
         world.setPool(common ? ForkJoinPool.commonPool() : null);
     }
 
-    /** What is refused changes nothing: {@link #compare} sees to that. */
-    void misuse(int pick) {
+    /** Makes invalid calls, which must throw. {@link #compare} checks that they changed nothing. */
+    void makeInvalidCalls(int pick) {
         Twin twin = pick(pick);
         Unit unit = twin == null ? new Unit(1) : twin.unit;
         double bad = new double[] {Double.NaN, -1e60, Double.NEGATIVE_INFINITY}[pick % 3];
@@ -378,7 +384,7 @@ final class Twins {
         assertThrows(IllegalArgumentException.class, () -> world.applyForces(xy, 0));
     }
 
-    /** Does the same to one of the units, in the world or not, and to its twin. */
+    /** Makes the same change to one of the units, in the world or not, and to its twin. */
     void change(int pick, Consumer<Unit> change) {
         Twin twin = pick(pick);
         if (twin == null) return;
@@ -391,7 +397,9 @@ final class Twins {
         if (pick(pick) != null) pick(pick).settle();
     }
 
-    /** What is drawn runs to where a unit is put after a step, if it took part and that is not infinitely far. */
+    /**
+     * Moves a unit after a step. The move is interpolated if the unit took part in the step and the distance is finite.
+     */
     private void correct(Twin twin, double x, double y, boolean tookPart) {
         twin.unit.moveTo(x, y);
         twin.alone.moveTo(x, y);
@@ -426,7 +434,7 @@ final class Twins {
         twin.alone.setFrozen(frozen);
     }
 
-    /** A force on all at once, harder on each. */
+    /** Applies forces to all units in one call, each greater than the one before. */
     void applyForces(double fx, double fy) {
         int offset = inside.size() % 3;
         double[] xy = new double[offset + 2 * inside.size() + 1];
@@ -466,8 +474,8 @@ final class Twins {
         advance(ns, null);
     }
 
-    /** Advances, with orders before and after each step that are drawn from a seed. */
-    void advanceAmidOrders(long ns, long seed) {
+    /** Advances, with random orders before and after each step. */
+    void advanceWithOrders(long ns, long seed) {
         advance(ns, new SplittableRandom(seed));
     }
 
@@ -576,7 +584,7 @@ final class Twins {
                 .doubleValue();
     }
 
-    /** Fixed steps count time in parts of 1e-9 of a step, to which it is rounded. */
+    /** Fixed steps count time in 1e-9 of a step; this rounds to it. */
     private BigInteger rounded(BigInteger time) {
         BigInteger part = NANOSECOND.divide(BigInteger.valueOf(pace.rate()));
         BigInteger more = time.add(part.divide(BigInteger.TWO));
@@ -587,7 +595,7 @@ final class Twins {
         return pace.isFixed() ? Math.min(seconds(rounded(waiting)) * pace.rate(), Math.nextDown(1f)) : 0;
     }
 
-    /** The world is what the model says: every getter of every unit, to the bit. */
+    /** Compares every getter of every unit with the model, to the bit. */
     void compare() {
         assertEquals(tick, world.getTick());
         assertEquals(time, world.getTime(), 1e-12 * time);
@@ -598,7 +606,7 @@ final class Twins {
         List<Unit> expected = inside.stream().map(t -> t.unit).collect(Collectors.toList());
         assertEquals(expected, world.units());
         double alpha = world.getAlpha();
-        assertEquals(alpha(), alpha, 1.1e-9, "to within a part");
+        assertEquals(alpha(), alpha, 1.1e-9, "within 1e-9 of a step");
         for (Twin twin : inside) {
             assertSame(world, twin.unit.getWorld());
             assertEquals(twin.id, twin.unit.getId());

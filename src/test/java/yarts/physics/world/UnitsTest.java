@@ -21,10 +21,10 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** What games ask of units and their world besides: removal by condition, settings, and no serialisation by accident. */
+/** Other uses of units and worlds: removal by a filter, settings, toString, and protection from serialisation. */
 class UnitsTest {
     @Test
-    void removeIfAsksEachOnceAndKeepsTheRestInTheOrderOfTheIterator() {
+    void removeIfTestsEachUnitOnceAndLeavesTheOrderOfTheIterator() {
         World world = new World(), iterated = new World();
         for (int i = 0; i < 1000; i++) {
             world.add(new Unit(1 + i));
@@ -70,9 +70,9 @@ class UnitsTest {
         assertEquals(6, unit.getX());
     }
 
-    /** A change of the integrator reaches those who coast, too, and those who sleep. */
+    /** A change of the integrator also applies to coasting and sleeping tiles. */
     @Test
-    void aWorldWithItsSettingsChangedIsOneThatWasMadeWithThem() {
+    void aWorldWithChangedSettingsEqualsOneCreatedWithThem() {
         World changed = new World(Integrator.EULER, Timestep.fixed(60)),
                 made = new World(Integrator.EXACT, Timestep.fixed(25));
         for (World world : List.of(changed, made)) {
@@ -87,7 +87,7 @@ class UnitsTest {
     }
 
     @Test
-    void theListOfUnitsKnowsItsOwnAndNoOthers() {
+    void theListOfUnitsContainsOnlyUnitsOfTheWorld() {
         World world = new World();
         Unit first = world.add(new Unit(1)), second = world.add(new Unit(1));
         Unit there = new World().add(new Unit(1));
@@ -100,9 +100,9 @@ class UnitsTest {
         }
     }
 
-    /** One more and one fewer is a change, too. */
+    /** An addition and a removal together are a change, too. */
     @Test
-    void anIteratorFailsFastAfterChangesThatLeaveTheSameNumber() {
+    void anIteratorFailsAfterChangesThatPreserveTheSize() {
         World world = new World();
         for (int i = 0; i < 3; i++) world.add(new Unit(1));
         Snapshot three = world.save();
@@ -134,7 +134,7 @@ class UnitsTest {
     }
 
     @Test
-    void aUnitSaysWhereItIsAndHowItMoves() {
+    void toStringOfAUnitHasItsState() {
         Unit unit = new Unit(4).setPosition(1, 2).setVelocity(3, -0.5);
         assertEquals(
                 "Unit#0[x=1.0, y=2.0, vx=3.0, vy=-0.5, mass=4.0, friction=0.0, maxSpeed=Infinity]", unit.toString());
@@ -149,9 +149,9 @@ class UnitsTest {
         assertEquals("Snapshot[empty]", new Snapshot().toString());
     }
 
-    /** Neither the world nor what it makes anew holds on to units that a restore took out of it. */
+    /** Neither the world nor a new table keeps references to units that left by a restore. */
     @Test
-    void aUnitThatARestoreTookOutCanBeCollected() throws Exception {
+    void aUnitThatLeftByARestoreCanBeCollected() throws Exception {
         World world = new World();
         Snapshot empty = world.save();
         List<WeakReference<Unit>> gone = new ArrayList<>();
@@ -168,7 +168,7 @@ class UnitsTest {
     private static final class Tank extends Unit implements Serializable {
         private static final long serialVersionUID = 1;
 
-        @SuppressWarnings("unused") // but it would be saved
+        @SuppressWarnings("unused") // serialisation would write it
         final int shells = 3;
 
         Tank() {
@@ -177,7 +177,7 @@ class UnitsTest {
     }
 
     @Test
-    void unitsRefuseToBeSerialised() throws Exception {
+    void serialisationOfAUnitThrows() throws Exception {
         try (ObjectOutputStream out = new ObjectOutputStream(new ByteArrayOutputStream())) {
             Exception e = assertThrows(NotSerializableException.class, () -> out.writeObject(new Tank()));
             assertTrue(e.getMessage().startsWith(Tank.class.getName()), e.getMessage());

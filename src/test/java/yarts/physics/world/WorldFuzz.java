@@ -7,13 +7,13 @@ import yarts.physics.Tiles;
 import yarts.physics.Unit;
 
 /**
- * Any bytes as calls of a world and its units, which are compared with the model {@link Twins} after each, or now and then
- * when they are many: for a fuzzer, which looks for bytes that take new ways through the library.
+ * Reads bytes as calls of a world and its units, and compares these with the model {@link Twins} after each call, or
+ * less often if there are many units. A fuzzer searches for bytes that lead to new paths through the library.
  */
 public final class WorldFuzz {
     private static final int MOST_CALLS = 200, MOST_UNITS = 1200, FEW = 32;
 
-    /** Each of them is either at a limit, or something to begin with. */
+    /** Limits, and usual values to start with. */
     private static final double[] REALS = {
         0, 1, -1, 0.5, 1 / 60.0, 0.02, 3, -7, 100, 1e3, -1e6, 1e-9, 1e9, 1e38, -1e38, 0x1p-500, 0x1p-501, 1e-160, 1e160
     };
@@ -26,7 +26,7 @@ public final class WorldFuzz {
         this.bytes = ByteBuffer.wrap(bytes);
     }
 
-    /** What the fuzzer calls. */
+    /** The entry point of the fuzzer. */
     public static void fuzzerTestOneInput(byte[] bytes) {
         new WorldFuzz(bytes).run();
     }
@@ -43,7 +43,7 @@ public final class WorldFuzz {
         return bytes.hasRemaining() ? bytes.get() & 0xFF : 0;
     }
 
-    /** One of those above, or any bits. */
+    /** One of these values, or any bits. */
     private double real() {
         int k = octet() % 32;
         if (k < REALS.length) return REALS[k];
@@ -102,7 +102,7 @@ public final class WorldFuzz {
             case 10 -> twins.restore(octet());
             case 11 -> twins.load(octet());
             case 12 -> twins.find(octet());
-            case 13 -> twins.misuse(octet());
+            case 13 -> twins.makeInvalidCalls(octet());
             case 14 -> twins.setFrozen(octet(), octet() % 2 == 0);
             case 15 -> twins.clearForces(octet());
             case 16 -> twins.clear();
@@ -139,7 +139,7 @@ public final class WorldFuzz {
             case 26 -> twins.applyForces(force() / 1e6, force() / 1e6);
             case 27 -> twins.step(real(0, 1e9));
             case 28 -> twins.advance(nanoseconds());
-            default -> twins.advanceAmidOrders(nanoseconds(), octet());
+            default -> twins.advanceWithOrders(nanoseconds(), octet());
         }
     }
 }

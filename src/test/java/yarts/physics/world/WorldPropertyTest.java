@@ -19,17 +19,17 @@ import yarts.physics.Tiles;
 import yarts.physics.Unit;
 import yarts.physics.support.Doubles;
 
-/** A world does to its units what each would do alone, to the bit, after any history. The model is in {@link Twins}. */
+/** Units move in a world as they move alone, to the bit, after any calls. The model is {@link Twins}. */
 class WorldPropertyTest {
     @Property(tries = 1500)
-    void aWorldEqualsItsUnitsSteppedAlone(@ForAll("histories") ActionChain<Twins> history) {
+    void unitsMoveInAWorldAsAlone(@ForAll("histories") ActionChain<Twins> history) {
         history.withInvariant("every getter, to the bit", Twins::compare).run();
     }
 
     @Property(tries = 10_000)
     @Tag("long")
-    void aWorldEqualsItsUnitsSteppedAloneAtLength(@ForAll("longHistories") ActionChain<Twins> history) {
-        aWorldEqualsItsUnitsSteppedAlone(history);
+    void unitsMoveInAWorldAsAloneAfterLongHistories(@ForAll("longHistories") ActionChain<Twins> history) {
+        unitsMoveInAWorldAsAlone(history);
     }
 
     @Provide
@@ -37,7 +37,7 @@ class WorldPropertyTest {
         return histories(crowd(300)).withMaxTransformations(32);
     }
 
-    /** With crowds as seldom in a chain as in the shorter ones. */
+    /** With as few crowds in a chain as in the shorter ones. */
     @Provide
     ActionChainArbitrary<Twins> longHistories() {
         return histories(crowd(3000)).withMaxTransformations(200);
@@ -65,7 +65,7 @@ class WorldPropertyTest {
                 .withAction(3, with("restore", pick, Twins::restore))
                 .withAction(2, with("load", pick, Twins::load))
                 .withAction(2, with("find", pick, Twins::find))
-                .withAction(1, with("misuse", pick, Twins::misuse))
+                .withAction(1, with("invalid calls", pick, Twins::makeInvalidCalls))
                 .withAction(1, with("pool", Arbitraries.of(true, false), Twins::setPool))
                 .withAction(2, with("freeze", pick, (t, i) -> t.setFrozen(i, true)))
                 .withAction(2, with("let go", pick, (t, i) -> t.setFrozen(i, false)))
@@ -89,17 +89,17 @@ class WorldPropertyTest {
                 .withAction(6, (Action.Independent<Twins>) () -> Combinators.combine(
                                 nanoseconds(), Arbitraries.longs().between(0, 1 << 20))
                         .as((ns, seed) -> mutate(
-                                "advance, ns " + ns + ", amid orders " + seed, t -> t.advanceAmidOrders(ns, seed))));
+                                "advance, ns " + ns + ", with orders " + seed, t -> t.advanceWithOrders(ns, seed))));
     }
 
-    /** Anywhere in a few blocks, and often in the first rows. */
+    /** Indices in a few tiles, often in the first rows. */
     private static Arbitrary<Integer> pick() {
         return Arbitraries.frequencyOf(
                 Tuple.of(3, Arbitraries.integers().between(0, 40)),
                 Tuple.of(1, Arbitraries.integers().between(0, 3 * Tiles.TILE)));
     }
 
-    /** A handful, and now and then as many as a block has, or blocks that share their arrays, or one more or fewer. */
+    /** A few units, and sometimes as many as one or several tiles have, or one more or fewer. */
     private static Arbitrary<Integer> crowd(int handfuls) {
         return Arbitraries.frequencyOf(
                 Tuple.of(handfuls, Arbitraries.integers().between(1, 20)),
@@ -134,7 +134,7 @@ class WorldPropertyTest {
         return Combinators.combine(components, components).as(Tuple::of);
     }
 
-    /** To drive, to brake, or off. */
+    /** Motors that drive, brake, or are off. */
     private static Arbitrary<Tuple.Tuple3<Double, Double, Double>> motors() {
         Arbitrary<Double> zero = Arbitraries.just(0.0), velocity = mostly(velocities(), zero);
         Arbitrary<Double> force = mostly(Doubles.logUniform(1e-3, 1e6), mostly(Doubles.logUniform(0, 1e50), zero));
@@ -158,7 +158,9 @@ class WorldPropertyTest {
         return mostly(Doubles.signedLogUniform(1e-3, 1e3), Doubles.finite());
     }
 
-    /** Below 1e50, so that a frame's force, which may hold what was pending over several frames, stays an accepted one. */
+    /**
+     * Below 1e50, so that the force of a frame, which may include impulses of several frames, stays within the limit.
+     */
     private static Arbitrary<Double> forces() {
         return mostly(Doubles.signedLogUniform(1e-3, 1e6), Doubles.signedLogUniform(1e-38, 1e38));
     }

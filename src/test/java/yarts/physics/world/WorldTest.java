@@ -23,7 +23,7 @@ import yarts.physics.World;
 import yarts.physics.support.Listeners;
 import yarts.physics.time.WorldTimeTest;
 
-/** Membership, order and the listener, by example. Time and interpolation: {@link WorldTimeTest}. */
+/** Examples of membership, order and listeners. {@link WorldTimeTest} has time and interpolation. */
 class WorldTest {
     private static class Tank extends Unit {
         int shells = 3;
@@ -55,7 +55,7 @@ class WorldTest {
     }
 
     @Test
-    void theLastUnitFillsTheHoleThatRemoveLeaves() {
+    void theLastUnitTakesTheIndexOfARemovedOne() {
         addAll();
         assertTrue(world.remove(b));
         assertEquals(List.of(a, d, c), world.units());
@@ -82,7 +82,7 @@ class WorldTest {
     }
 
     @Test
-    void anyOtherChangeFailsTheIteratorFast() {
+    void theIteratorThrowsAfterAnyOtherChange() {
         addAll();
         Iterator<Unit> afterAdd = world.iterator();
         world.add(new Unit(5));
@@ -96,7 +96,7 @@ class WorldTest {
     }
 
     @Test
-    void unitsIsALiveViewThatCannotBeModified() {
+    void unitsReturnsALiveViewThatCannotBeModified() {
         List<Unit> units = world.units();
         addAll();
         assertEquals(4, units.size());
@@ -144,7 +144,7 @@ class WorldTest {
     }
 
     @Test
-    void unitsKeepTheirStateInAndOutOfAWorldButNoForces() {
+    void unitsThatJoinOrLeaveKeepTheirStateAndLoseTheirForces() {
         a.setPosition(1, 2).setVelocity(3, 4).setFriction(0.5).setMaxSpeed(6).setFrozen(true);
         String before = a.toString().replaceAll("#\\d+", "");
         List<Runnable> moves = List.of(
@@ -157,7 +157,7 @@ class WorldTest {
         for (Runnable move : moves) {
             a.setFrozen(false);
             a.applyForce(7, 8);
-            world.advance(1e-3); // which makes it a pending impulse, if the unit is in the world
+            world.advance(1e-3); // now it is a pending impulse, if the unit is in the world
             a.applyForce(7, 8);
             a.setFrozen(false);
             move.run();
@@ -191,7 +191,7 @@ class WorldTest {
     }
 
     @Test
-    void aForceOfTheListenerActsForItsStepAndAddsToTheFrames() {
+    void aForceFromAListenerActsForItsStepInAdditionToTheForceOfTheFrame() {
         world.add(a);
         listeners.setBefore((w, dt) -> {
             if (w.getTick() == 1) a.applyForce(60, 0);
@@ -204,7 +204,7 @@ class WorldTest {
     }
 
     @Test
-    void unitsMayComeAndGoInTheListener() {
+    void aListenerMayAddAndRemoveUnits() {
         world.add(a);
         world.add(b);
         listeners.setBefore((w, dt) -> {
@@ -219,16 +219,16 @@ class WorldTest {
         c.setVelocity(0, 60);
         b.applyForce(120, 0);
         assertEquals(3, world.advance(0.051));
-        assertEquals(1, a.getX(), 1e-15, "a took the first step");
-        assertEquals(2, c.getY(), 1e-15, "c took the second and the third");
-        assertEquals(1, c.getVx(), 1e-15, "and the force since it was added acted for the second");
-        assertEquals(3, b.getVx(), 1e-15, "the frame's force acts on b in all");
+        assertEquals(1, a.getX(), 1e-15, "a moved only in the first step");
+        assertEquals(2, c.getY(), 1e-15, "c moved in the second and the third");
+        assertEquals(1, c.getVx(), 1e-15, "the force that was applied after it was added acted in the second step");
+        assertEquals(3, b.getVx(), 1e-15, "the force of the frame acts on b in all steps");
         assertEquals(List.of(b, c), world.units());
     }
 
-    /** The one that leaves was pushed in this frame, the one that takes its row in the frame before. */
+    /** The removed unit was pushed in this frame; the unit that takes its row, in the frame before. */
     @Test
-    void aUnitThatMovesToAnotherBlockInTheMiddleOfAFrameTakesNoOldForcesAlong() {
+    void aUnitWhoseRowMovesToAnotherTileDuringAFrameHasNoOldForces() {
         for (int i = 0; i <= Tiles.TILE; i++) world.add(new Unit(1));
         Unit first = world.get(0), pushed = world.get(1), other = world.get(2), last = world.get(Tiles.TILE);
         last.applyForce(600, 0);
@@ -245,9 +245,9 @@ class WorldTest {
         assertEquals(0, last.getFx());
     }
 
-    /** Those that stay were pushed in the frame before, the one that comes in this frame. */
+    /** The units of the tile were pushed in the frame before; the unit that moves there, in this frame. */
     @Test
-    void aUnitThatComesFromAnotherBlockInTheMiddleOfAFrameWakesNoOldForces() {
+    void aUnitWhoseRowComesFromAnotherTileDuringAFrameDoesNotRepeatOldForces() {
         for (int i = 0; i <= Tiles.TILE; i++) world.add(new Unit(1));
         Unit first = world.get(0), other = world.get(1), last = world.get(Tiles.TILE);
         other.applyForce(600, 0);
@@ -262,7 +262,7 @@ class WorldTest {
     }
 
     @Test
-    void aForceOfTheFrameGoesAlongToAnotherBlock() {
+    void aForceOfTheFrameMovesWithItsRowToAnotherTile() {
         for (int i = 0; i <= Tiles.TILE; i++) world.add(new Unit(1));
         Unit first = world.get(0), last = world.get(Tiles.TILE);
         last.applyForce(60, 0);
@@ -272,7 +272,7 @@ class WorldTest {
     }
 
     @Test
-    void theListenerIsCalledAfterEveryStepToo() {
+    void listenersAreCalledBeforeAndAfterEveryStep() {
         List<String> calls = new ArrayList<>();
         world.addBeforeStep((w, dt) -> calls.add("before " + w.getTick() + ": " + dt));
         world.addAfterStep((w, dt) -> {
@@ -293,9 +293,9 @@ class WorldTest {
                 calls);
     }
 
-    /** A wall at x = 1, which the units run into: what is drawn runs from where the step began to the wall. */
+    /** The units drive into a wall at x = 1: they are drawn from the start of the step to the wall. */
     @Test
-    void aMoveAfterAStepCorrectsItsEnd() {
+    void aMoveAfterAStepIsDrawnFromTheStartOfTheStep() {
         world.add(a).setVelocity(45, 0);
         world.add(b).setVelocity(45, 0);
         listeners.setAfter((w, dt) -> {
@@ -308,7 +308,7 @@ class WorldTest {
         assertEquals(1, a.getX());
         assertEquals(0.75, a.getInterpolatedX(0));
         assertEquals(0.875, a.getInterpolatedX(), 1e-12);
-        assertEquals(3, b.getInterpolatedX(0), "it came back after the step");
+        assertEquals(3, b.getInterpolatedX(0), "it was added again after the step");
         assertEquals(7, c.getInterpolatedX(0), 1e-12);
         listeners.clear();
         a.setPosition(0, 0);
@@ -318,11 +318,11 @@ class WorldTest {
         other.step(1);
         listeners.setAfter((w, dt) -> d.moveTo(9, 9));
         world.step();
-        assertEquals(0, d.getInterpolatedX(0), "where it was before the last step of its own world");
+        assertEquals(0, d.getInterpolatedX(0), "its position before the last step of its own world");
     }
 
     @Test
-    void aCorrectionThatIsInfinitelyFarIsATeleport() {
+    void aMoveOverAnInfiniteDistanceIsATeleport() {
         double far = Double.MAX_VALUE;
         for (double[] to : new double[][] {{far, 0}, {0, far}, {far, far}}) {
             world.add(a).setPosition(-to[0], -to[1]).setVelocity(1, 1);
@@ -335,7 +335,7 @@ class WorldTest {
     }
 
     @Test
-    void anExceptionAfterAStepDoesNotTakeItBack() {
+    void anExceptionAfterAStepDoesNotUndoTheStep() {
         world.add(a);
         a.applyForce(60, 0);
         listeners.setAfter((w, dt) -> {
@@ -348,12 +348,12 @@ class WorldTest {
         assertEquals(2 / 60.0, world.getDroppedTime(), 1e-15);
         listeners.clear();
         world.advance(1 / 60.0);
-        assertEquals(2, a.getVx(), 1e-15, "the frame's force is gone with its steps");
+        assertEquals(2, a.getVx(), 1e-15, "the force of the frame is discarded with its other steps");
     }
 
-    /** Neither its forces nor those that the listener had applied by then. */
+    /** Its forces and those that the listener has applied are discarded. */
     @Test
-    void aStepThatFailsBeforeItLeavesNothing() {
+    void anExceptionBeforeAStepDiscardsAllForces() {
         World twin = new World(Integrator.EULER, Timestep.fixed(60));
         for (World w : List.of(world, twin)) {
             w.add(new Unit(2)).setVelocity(3, 4);
@@ -391,14 +391,14 @@ class WorldTest {
     }
 
     @Test
-    void removeIfAsksEachOnceAndKeepsTheOrderOfTheIterator() {
+    void removeIfTestsEachUnitOnceInTheOrderOfTheIterator() {
         addAll();
         List<Unit> asked = new ArrayList<>();
         assertTrue(world.removeIf(unit -> {
             asked.add(unit);
             return unit == a || unit == d;
         }));
-        assertEquals(List.of(a, d, c, b), asked, "the last fills the gap, and is asked next");
+        assertEquals(List.of(a, d, c, b), asked, "the last unit takes the index, and is tested next");
         assertEquals(List.of(c, b), world.units());
         assertFalse(world.removeIf(unit -> false));
         assertThrows(
@@ -408,7 +408,7 @@ class WorldTest {
     }
 
     @Test
-    void whatIsPendingCanBeSeen() {
+    void gettersReturnThePendingImpulse() {
         world.add(a);
         a.applyForce(60, -30);
         assertEquals(60, a.getFx());
@@ -417,7 +417,7 @@ class WorldTest {
         assertEquals(0.6, a.getPendingImpulseX(), 1e-15);
         assertEquals(-0.3, a.getPendingImpulseY(), 1e-15);
         world.step(0.5);
-        assertEquals(0.6, a.getPendingImpulseX(), 1e-15, "steps of the game's own leave it");
+        assertEquals(0.6, a.getPendingImpulseX(), 1e-15, "step(dt) does not change it");
         world.advance(0.01);
         assertEquals(0, a.getPendingImpulseX());
         assertEquals(0.6, a.getVx(), 1e-15);
@@ -428,7 +428,7 @@ class WorldTest {
     }
 
     @Test
-    void bulkForcesAddToTheOthers() {
+    void forcesOfABulkCallAddToOthers() {
         addAll();
         b.applyForce(1, 2);
         world.applyForces(new double[] {9, 1, 2, 3, 4, 5, 6, 7, 8, 9}, 1);
@@ -446,9 +446,9 @@ class WorldTest {
     }
 
     @Test
-    void aStepWithinAStepIsRefused() {
+    void aStepWithinAStepThrows() {
         world.add(a).setVelocity(1, 0);
-        List<Executable> misuses = List.of(
+        List<Executable> invalidCalls = List.of(
                 () -> world.step(1),
                 world::step,
                 () -> world.advance(1),
@@ -458,17 +458,17 @@ class WorldTest {
                 () -> world.restore(new Snapshot()),
                 () -> world.setIntegrator(Integrator.EXACT),
                 () -> world.setTimestep(Timestep.fixed(30)));
-        Runnable misuse = () -> {
-            for (Executable each : misuses) {
+        Runnable makeInvalidCalls = () -> {
+            for (Executable each : invalidCalls) {
                 assertEquals(
                         "a step of this world is running: until it ends, no listener, factory or other thread may step, save,"
                                 + " restore or set the world",
                         assertThrows(IllegalStateException.class, each).getMessage());
             }
         };
-        listeners.setBefore((w, dt) -> misuse.run());
+        listeners.setBefore((w, dt) -> makeInvalidCalls.run());
         world.step(1);
-        listeners.setAfter((w, dt) -> misuse.run());
+        listeners.setAfter((w, dt) -> makeInvalidCalls.run());
         world.step(1);
         assertSame(Integrator.EULER, world.getIntegrator());
         assertEquals(2, world.getTick());
@@ -480,7 +480,7 @@ class WorldTest {
     }
 
     @Test
-    void aStepOfTheTimestepIsThatLong() {
+    void aStepHasTheLengthOfTheTimestep() {
         world.add(a).setVelocity(60, 0);
         world.step();
         assertEquals(1, a.getX());
@@ -499,9 +499,9 @@ class WorldTest {
         assertEquals(Math.exp(-1), a.getVx(), 1e-15);
     }
 
-    /** TimestepChangeTest has the rest. */
+    /** {@code TimestepChangeTest} has the details. */
     @Test
-    void theTimestepCanBeSetAndWaitingTimeAndImpulseStay() {
+    void aChangeOfTheTimestepPreservesWaitingTimeAndImpulse() {
         world.setTimestep(Timestep.fixed(10));
         world.add(a);
         a.applyForce(20, 0);
@@ -519,7 +519,7 @@ class WorldTest {
     }
 
     @Test
-    void anExceptionOfTheListenerLeavesTheWorldSane() {
+    void afterAnExceptionOfAListenerTheWorldContinues() {
         world.add(a);
         listeners.setBefore((w, dt) -> {
             if (w.getTick() == 1) throw new UnsupportedOperationException("no second step");
@@ -532,7 +532,7 @@ class WorldTest {
         assertEquals(2 / 60.0, world.getDroppedTime(), 1e-15);
         listeners.clear();
         assertEquals(1, world.advance(1 / 60.0));
-        assertEquals(1.06, a.getVx(), 1e-12, "the impulse of the force's last ms was pending");
+        assertEquals(1.06, a.getVx(), 1e-12, "the impulse of the last ms was pending");
         listeners.setBefore((w, dt) -> {
             throw new UnsupportedOperationException("nor a step");
         });
