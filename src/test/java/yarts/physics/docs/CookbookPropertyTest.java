@@ -9,7 +9,6 @@ import java.util.Arrays;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleToIntFunction;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -772,67 +771,7 @@ class CookbookPropertyTest {
         }
     }
 
-    @Property
-    void theShorterWayRoundAMapIsAtMostHalfOfItsWidth(
-            @ForAll @DoubleRange(min = 1, max = 1e4) double width,
-            @ForAll @DoubleRange(min = 0, max = 1) double from,
-            @ForAll @DoubleRange(min = 0, max = 1) double to) {
-        double d = width * to - width * from, shortest = d - width * Math.rint(d / width);
-        assertTrue(Math.abs(shortest) <= width / 2 + 1e-9);
-        assertEquals(0, Math.abs(Math.IEEEremainder(from * width + shortest - to * width, width)), 1e-9);
-    }
-
-    // Moving units about, of docs/limits.md and docs/guide.md
-
-    /** By moveTo after the step: drawn from the start of the step to the wall, never beyond it, and sliding along it. */
-    @Property
-    void aUnitIsNeverDrawnBeyondAWall(
-            @ForAll Integrator integrator,
-            @ForAll @DoubleRange(min = 1, max = 1000) double vx,
-            @ForAll @DoubleRange(min = -1000, max = 1000) double vy,
-            @ForAll @IntRange(min = 10, max = 500) int framesPerSecond) {
-        Unit unit = new Unit(1).setVelocity(vx, vy);
-        double[] start = {0};
-        World world = world(unit, integrator, (w, dt) -> start[0] = unit.getX(), (w, dt) -> {
-            if (unit.getX() > 10) unit.moveTo(10, unit.getY()).setVelocity(0, unit.getVy());
-        });
-        double drawn = 0;
-        while (world.getTick() < 600 / vx + 4) {
-            world.advance(1.0 / framesPerSecond);
-            double x = unit.getInterpolatedX();
-            assertTrue(x >= drawn && x <= 10, "drawn at " + x + " after " + drawn);
-            assertEquals(start[0] + world.getAlpha() * (unit.getX() - start[0]), x, 1e-12);
-            drawn = x;
-        }
-        assertEquals(10, drawn);
-        assertEquals(vy * world.getTime(), unit.getY(), 1e-9 * Math.abs(vy) * world.getTime());
-    }
-
-    /** By setPosition before the step: between two frames, a unit is drawn as far on as it has gone, on the way round. */
-    @Property
-    void acrossTheEdgeOfAMapAUnitIsDrawnWithoutAStreakOrAJump(
-            @ForAll @DoubleRange(min = -300, max = 300) double v,
-            @ForAll @IntRange(min = 10, max = 500) int framesPerSecond) {
-        double width = 100;
-        Unit ship = new Unit(1).setPosition(50, 0).setVelocity(v, 0);
-        World world = world(
-                ship,
-                Integrator.EXACT,
-                (w, dt) -> {
-                    if (ship.getX() >= width) ship.setPosition(ship.getX() - width, ship.getY());
-                    if (ship.getX() < 0) ship.setPosition(ship.getX() + width, ship.getY());
-                },
-                NOTHING);
-        double drawn = Double.NaN;
-        for (int frame = 0; frame < 3 * framesPerSecond; frame++) {
-            world.advance(1.0 / framesPerSecond);
-            if (world.getTick() == 0) continue; // there is no step yet that could be drawn
-            double x = ship.getInterpolatedX(), gone = Math.IEEEremainder(x - drawn, width);
-            if (!Double.isNaN(drawn)) assertEquals(0, Math.IEEEremainder(gone - v / framesPerSecond, width), 1e-6);
-            assertTrue(x > -Math.abs(v) / 60 - 1e-9 && x < width + Math.abs(v) / 60 + 1e-9, "far off: " + x);
-            drawn = x;
-        }
-    }
+    // Timesteps, of docs/guide.md
 
     /** The waiting time stays the same, in seconds; alpha is the part of a new step, and so the picture may jump. */
     @Property
@@ -902,40 +841,5 @@ class CookbookPropertyTest {
             if (random.nextInt(3) == 0) world.remove(world.get(random.nextInt(world.size())));
             world.advance(random.nextDouble() / 2);
         }
-    }
-
-    // Threads
-
-    /** Ten thousand frames on their way to another thread. All units of a frame have been copied in the same tick. */
-    @Property(tries = 5)
-    void theThreadThatDrawsSeesWholeFramesInOrder(@ForAll @IntRange(min = 1, max = 2000) int units)
-            throws InterruptedException {
-        int ticks = 10_000;
-        World world = new World(Integrator.EXACT, Timestep.fixed(64));
-        for (int i = 0; i < units; i++) world.add(new Unit(1).setVelocity(64, 64));
-        float[][] buffers = new float[3][2 * world.size()];
-        AtomicInteger between = new AtomicInteger(2);
-        int fresh = 4;
-        Thread simulation = new Thread(() -> {
-            int mine = 0;
-            for (int tick = 0; tick < ticks; tick++) {
-                world.step();
-                world.copyPositions(buffers[mine], 0);
-                mine = between.getAndSet(mine | fresh) & 3;
-            }
-        });
-        simulation.start();
-        int drawn = 1;
-        float last = 0;
-        while (last < ticks) {
-            boolean over = !simulation.isAlive();
-            if ((between.get() & fresh) != 0) drawn = between.getAndSet(drawn) & 3;
-            float x = buffers[drawn][0];
-            for (float other : buffers[drawn]) assertEquals(x, other, "a frame of two ticks");
-            assertTrue(x >= last, () -> "back");
-            assertTrue(x == ticks || !over, "the last frame is there");
-            last = x;
-        }
-        simulation.join();
     }
 }
