@@ -1,10 +1,13 @@
 package yarts.physics;
 
-/** Reads and pushes all units of a table at once: x0, y0, x1, y1, … in an array of the game's, in the order of the rows. */
+/**
+ * Reads all units of a table or applies forces to them, by an array of the game: x0, y0, x1, y1, … in the order of the
+ * rows.
+ */
 final class Bulk {
     private Bulk() {}
 
-    /** The position at alpha between the previous one, 0, and the next one, exactly at 1. */
+    /** The position at a fraction alpha of the step, from the previous one (0) to the next one (1, exactly). */
     static double between(double previous, double next, double alpha) {
         return alpha == 1 ? next : previous + (next - previous) * alpha;
     }

@@ -3,18 +3,18 @@ package yarts.physics;
 /**
  * The time of a world.
  *
- * <p>Fixed steps are counted, never summed. Elapsed time that waits for a step is counted in parts of a step, of which
- * there are {@link #STEP}. Whole nanoseconds are a whole number of parts, because the rate is an integer. Other times are
- * rounded to a part, and the error is carried over. Time that is not a whole number of fixed steps is summed together
- * with its rounding error.
+ * <p>Fixed steps are counted, never summed. The elapsed time that waits for a step is counted in parts of a step; a
+ * step has {@link #STEP} parts. Whole nanoseconds are a whole number of parts, because the rate is an integer. Other
+ * times are rounded to a part, and the rounding error is carried over. Time that is not a whole number of fixed steps
+ * is summed, and so is the rounding error of this sum.
  *
- * <p>With variable steps no time waits, except after a change from fixed steps. It is counted as if the rate were 1.
+ * <p>With variable steps, time waits only after a change from fixed steps. It is counted as if the rate were 1.
  */
 final class Clock {
-    /** Parts of a step. */
+    /** The number of parts of a step. */
     private static final long STEP = 1_000_000_000;
 
-    /** The largest float below 1: a renderer that converts alpha to float still gets less than 1. */
+    /** The largest float below 1, so that alpha is below 1 even in a renderer that converts it to float. */
     private static final double MAX_ALPHA = 0x1.fffffep-1;
 
     private static final long MAX_TICKS = Long.MAX_VALUE / 4;
@@ -38,11 +38,11 @@ final class Clock {
 
     private Timestep timestep;
     private long tick;
-    /** The ticks of exactly 1/rate seconds. */
+    /** The number of steps of exactly 1/rate seconds. */
     private long regular;
     /**
-     * Elapsed time that no step has covered yet; in parts of a step. It is less than a second, and less than STEP except
-     * after a change of the timestep.
+     * The elapsed time that no step has covered yet; in parts of a step. It is less than a second. Only a change of the
+     * timestep can make it STEP or more.
      */
     private long remainder;
 
@@ -57,7 +57,7 @@ final class Clock {
         this.timestep = timestep;
     }
 
-    /** Adds elapsed time; returns the number of fixed steps that are due, and keeps the remainder. */
+    /** Adds elapsed time, returns the number of fixed steps that are due, and keeps the remainder. */
     long stepsDue(double elapsed) {
         long seconds = (long) elapsed;
         remainder += parts(elapsed, seconds); // below 2e15 + 1e9
@@ -66,7 +66,7 @@ final class Clock {
         return seconds * timestep.rate + due;
     }
 
-    /** The parts in a time without its whole seconds. */
+    /** The number of parts in a time, without its whole seconds. */
     private long parts(double elapsed, long seconds) {
         long ns = (long) ((elapsed - seconds) * 1e9 + 0.5);
         if ((seconds * STEP + ns) / 1e9 == elapsed) return ns * timestep.rate;
@@ -96,7 +96,7 @@ final class Clock {
         return remainder;
     }
 
-    /** The parts of a remainder that are not covered by some steps. It is less than a second, so a second covers it. */
+    /** The parts of a remainder that a number of steps does not cover. Steps of a second cover every remainder. */
     long old(long before, long steps) {
         return steps < timestep.rate ? Math.max(0, before - steps * STEP) : 0;
     }
@@ -106,7 +106,7 @@ final class Clock {
         return parts / ((double) STEP * rate(timestep));
     }
 
-    /** Returns the waiting time in seconds, and lets it wait no longer. */
+    /** Returns the waiting time in seconds, and sets it to 0. */
     double takeRemainder() {
         double seconds = (remainder + remainderError) / (double) STEP / rate(timestep);
         remainder = 0;
@@ -123,7 +123,7 @@ final class Clock {
     }
 
     double time() {
-        return irregular.value() + inSeconds(regular); // the order of operands that Kernel explains
+        return irregular.value() + inSeconds(regular); // Kernel explains the order of operands
     }
 
     double droppedTime() {
@@ -138,12 +138,12 @@ final class Clock {
         return timestep;
     }
 
-    /** The rate by which the remainder is counted. */
+    /** The rate for the parts of the remainder. */
     private static int rate(Timestep timestep) {
         return timestep.isFixed() ? timestep.rate : 1;
     }
 
-    /** Changes the timestep. The waiting time stays the same, in seconds. */
+    /** Changes the timestep. The waiting time in seconds stays the same. */
     void setTimestep(Timestep next) {
         if (next.rate != timestep.rate) {
             irregular.add(inSeconds(regular));
@@ -154,7 +154,7 @@ final class Clock {
         timestep = next;
     }
 
-    /** remainder := remainder · to / from, without overflow. It is rounded to a part; the error is carried over. */
+    /** remainder := remainder · to / from, without overflow, rounded to a part. The rounding error is carried over. */
     private void convertRemainder(long from, long to) {
         long product = remainder % from * to;
         long whole = remainder / from * to + product / from;
@@ -175,7 +175,7 @@ final class Clock {
         dropped.set(other.dropped.sum, other.dropped.error);
     }
 
-    /** {@return the state without the timestep} */
+    /** {@return the state without the timestep, as {@link #STATE} names it} */
     long[] state() {
         return new long[] {
             tick,
@@ -191,10 +191,9 @@ final class Clock {
     }
 
     /**
-     * The reverse of {@link #state}.
+     * Sets the state, as {@link #state} returns it.
      *
-     * @param timestep the timestep
-     * @throws IllegalArgumentException if no clock can have this state; this one is then unusable
+     * @throws IllegalArgumentException if no clock can have this state; this clock must then not be used any more
      */
     void setState(Timestep timestep, long[] state) {
         this.timestep = timestep;
@@ -209,24 +208,24 @@ final class Clock {
 
     private static double sum(int i, long[] state) {
         double sum = Double.longBitsToDouble(state[i]) + 0.0;
-        if (!(sum >= 0 && sum <= MAX_SUM)) throw Check.refused(STATE[i], ">= 0 and at most " + MAX_SUM, sum);
+        if (!(sum >= 0 && sum <= MAX_SUM)) throw Check.invalid(STATE[i], ">= 0 and at most " + MAX_SUM, sum);
         return sum;
     }
 
     private static double error(int i, long[] state, double most) {
         double error = Double.longBitsToDouble(state[i]) + 0.0;
-        if (!(Math.abs(error) <= most)) throw Check.refused(STATE[i], "at most " + most + " in magnitude", error);
+        if (!(Math.abs(error) <= most)) throw Check.invalid(STATE[i], "at most " + most + " in magnitude", error);
         return error;
     }
 
-    /** A hash of all this, starting from h. */
+    /** A hash of the timestep and the state, from an initial value h. */
     long hash(long h) {
         h = mix(mix(mix(h, timestep.rate), Double.doubleToRawLongBits(timestep.maxStep)), timestep.maxSteps);
         h = mix(mix(mix(mix(h, tick), regular), remainder), droppedSteps);
         return dropped.hash(irregular.hash(mix(h, Double.doubleToRawLongBits(remainderError))));
     }
 
-    /** One step of a hash: one-to-one in v for every h, and in h for every v. */
+    /** One round of a hash. It is one-to-one in v for every h, and in h for every v. */
     static long mix(long h, long v) {
         h = (h ^ v) * 0xD6E8FEB86659FD93L; // an odd number with many mixed bits
         return h ^ (h >>> 32);

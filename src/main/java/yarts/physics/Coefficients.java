@@ -3,13 +3,14 @@ package yarts.physics;
 import java.util.Arrays;
 
 /**
- * Computes decay, gain and lag of {@link Kernel} for a dt and an {@link Integrator}. A table keeps them from step to step:
- * a change of dt or integrator makes all tiles stale, and a step renews stale tiles; a change of one row renews that row.
+ * Computes the decay, gain and lag of {@link Kernel} for a dt and an {@link Integrator}. A table keeps them from step
+ * to step. A change of dt or integrator marks all tiles as stale, and a step computes stale tiles again. A change of
+ * one row computes this row again.
  */
 final class Coefficients {
     private Coefficients() {}
 
-    /** Announces the next step: coefficients for another dt or integrator become stale. */
+    /** Prepares for a step: marks all tiles as stale if their coefficients are for another dt or integrator. */
     static void prepare(Table t, double dt, Integrator integrator) {
         if (dt == t.dt && integrator == t.integrator) return;
         t.dt = dt;
@@ -17,12 +18,12 @@ final class Coefficients {
         Arrays.fill(t.stale, true);
     }
 
-    /** Computes those of a row again, after a change of its mass, friction, top speed or frozen state. */
+    /** Computes a row again, after a change of its mass, friction, top speed or frozen state. */
     static void renewRow(Table t, int i) {
         if (!t.stale[Table.tile(i)]) setRow(t, i, t.dt, t.integrator);
     }
 
-    /** Computes those of a row for any step, whatever the other rows have. */
+    /** Computes a row for any dt and integrator, independent of those of the table. */
     static void setRow(Table t, int i, double dt, Integrator integrator) {
         switch (integrator) {
             case EULER:
@@ -42,7 +43,7 @@ final class Coefficients {
         hold(t, i);
     }
 
-    /** Computes those of a stale tile, in short loops without a branch, which HotSpot vectorises. */
+    /** Computes a stale tile, in short loops without branches, which HotSpot vectorises. */
     static void renewTile(Table t, int tile) {
         int start = Table.start(tile), end = t.lanes(tile);
         double dt = t.dt;
@@ -70,7 +71,7 @@ final class Coefficients {
         t.stale[tile] = false;
     }
 
-    /** A frozen unit keeps its velocity, and nothing accelerates it or a unit with a top speed of 0. */
+    /** Lets a frozen unit keep its velocity, and lets no force accelerate it or a unit with a top speed of 0. */
     private static void hold(Table t, int i) {
         if (t.frozen[i] != 0) t.decay[i] = 1;
         if (t.frozen[i] != 0 || t.maxSpeed[i] == 0) t.gain[i] = 0;
@@ -97,7 +98,7 @@ final class Coefficients {
         t.lag[i] = 0.5;
     }
 
-    /** The first part of EXACT: dt/m, and z in the place of the lag. */
+    /** The first part of EXACT: stores dt/m as the gain, and z in the column of the lag. */
     private static void stiffness(Table t, int i, double dt) {
         t.gain[i] = dt / t.mass[i];
         t.lag[i] = t.friction[i] * t.gain[i];
@@ -108,14 +109,16 @@ final class Coefficients {
         return true;
     }
 
-    /** The second part of EXACT for z below SMALL, without the lag. */
+    /** The second part of EXACT, for z below SMALL, without the lag. */
     private static void small(Table t, int i) {
         double z = t.lag[i], gain = Exponential.gain(z);
         t.decay[i] = 1 - z * gain;
         t.gain[i] *= gain;
     }
 
-    /** The second part of EXACT for any z, with the same bits for a small one. */
+    /**
+     * The second part of EXACT, for any z. Below SMALL, the result is the same to the bit as in the vectorised loops.
+     */
     private static void exact(Table t, int i) {
         double z = t.lag[i];
         if (z < Exponential.SMALL) {

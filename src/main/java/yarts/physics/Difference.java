@@ -3,9 +3,9 @@ package yarts.physics;
 import java.util.HashMap;
 import java.util.Map;
 
-/** The differences of two states: one line for each value, with that of this state and that of the other, up to a hundred. */
+/** The differences between two states as text: a line for each value that differs, up to a hundred. */
 final class Difference {
-    private static final int MOST = 100;
+    private static final int MAX_LINES = 100;
 
     private final StringBuilder text = new StringBuilder();
     private int count;
@@ -16,7 +16,7 @@ final class Difference {
         Difference difference = new Difference();
         difference.compare(mine, theirs);
         int count = difference.count;
-        return difference.text + (count > MOST ? "and " + (count - MOST) + " more\n" : "");
+        return difference.text + (count > MAX_LINES ? "and " + (count - MAX_LINES) + " more\n" : "");
     }
 
     private void compare(State mine, State theirs) {
@@ -56,7 +56,7 @@ final class Difference {
     }
 
     private void add(String name, Object mine, Object theirs) {
-        if (mine.equals(theirs) || ++count > MOST) return;
+        if (mine.equals(theirs) || ++count > MAX_LINES) return;
         text.append(name).append(": ").append(show(mine)).append(" | ");
         text.append(show(theirs)).append('\n');
     }

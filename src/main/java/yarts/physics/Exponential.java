@@ -1,21 +1,23 @@
 package yarts.physics;
 
 /**
- * The exponential and the coefficients of {@link Integrator#EXACT} that follow from it, computed by + − * / alone: the
- * same bits on every platform. (StrictMath differs where Java is translated to another language.) For z ≥ 0; within
- * 5 ulp.
+ * The exponential function and the coefficients of {@link Integrator#EXACT} for z ≥ 0, within 5 ulp. Only + − * / are
+ * used, so the bits are the same on every platform. (StrictMath differs where Java is translated to another language.)
  */
 final class Exponential {
     /** Below this z, the gain and the decay are computed from the series of {@link #gain}, which can be vectorised. */
     static final double SMALL = 0.5;
 
-    /** From this z on, the decay is 0: e^−z is below 1e-304, so any velocity times it is below {@link Kernel#REST}. */
-    private static final double GONE = 700;
+    /**
+     * From this z on, the decay is 0: e^−z is below 1e-304, so its product with any velocity is below {@link
+     * Kernel#REST}.
+     */
+    private static final double ZERO_FROM = 700;
 
     private static final double LOG2_E = 0x1.71547652b82fep0;
-    /** ln 2 in two parts; the first has so few digits that its product with n is exact. */
+    /** ln 2 as a sum of two numbers. The first has so few digits that its product with n is exact. */
     private static final double LN2 = 0x1.62e42feep-1, LN2_REST = 0x1.a39ef35793c76p-33;
-    /** Adding and subtracting it rounds to an integer. */
+    /** Its addition and subtraction round a number to an integer. */
     private static final double INTEGER = 0x1.8p52;
 
     private static final int BIAS = 1023, MANTISSA = 52;
@@ -24,7 +26,7 @@ final class Exponential {
 
     /** e^−z = 2^−n e^−r, with r = z − n ln 2 between −0.35 and 0.35. */
     static double decay(double z) {
-        if (z >= GONE) return 0;
+        if (z >= ZERO_FROM) return 0;
         double n = z * LOG2_E + INTEGER - INTEGER;
         double r = z - n * LN2 - n * LN2_REST;
         return (1 - r * gain(r)) * Double.longBitsToDouble((long) (BIAS - (int) n) << MANTISSA);
@@ -55,8 +57,8 @@ final class Exponential {
     }
 
     /**
-     * The same for z below 1, where the difference would cancel: the series 1/2 − Σ B(2k) z^(2k−1) / (2k)!, with the
-     * Bernoulli numbers B; the omitted terms are below 6e-18.
+     * The same for z below 1, where the difference would lose digits by cancellation: the series
+     * 1/2 − Σ B(2k) z^(2k−1) / (2k)!, with the Bernoulli numbers B; the omitted terms are below 6e-18.
      */
     static double lag(double z) {
         double s = z * z;

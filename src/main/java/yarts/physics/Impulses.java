@@ -3,22 +3,23 @@ package yarts.physics;
 import java.util.Arrays;
 
 /**
- * The action of forces over frames and steps. Three kinds of forces are kept apart:
+ * Distributes forces over frames and steps. There are three kinds of forces:
  *
  * <ul>
- *   <li>A force F that is applied between calls acts for the elapsed time of the next one. The part of its impulse that
- *       belongs to time not yet covered by a step is pending.
+ *   <li>A force F that is applied between two calls acts for the elapsed time of the next call. The part of its impulse
+ *       that belongs to time not yet covered by a step is pending.
  *   <li>A force that is applied in a before-step listener acts for the step that is about to run.
- *   <li>A force that is applied in an after-step listener acts for the next step. After the last step of a call it waits.
+ *   <li>A force that is applied in an after-step listener acts for the next step. After the last step of a call, it
+ *       waits for the next call.
  * </ul>
  *
- * <p>All are added to the force column f. A call that runs steps begins with f := share + waiting, where the share is what
- * each step gets of the impulse of the frame, and ends with waiting := f. A step uses f and clears it.
+ * <p>All are added to the force column f. A call that runs steps begins with f := share + waiting, where the share is
+ * the force that the frame's impulse exerts in each step, and ends with waiting := f. A step uses f and clears it.
  */
 final class Impulses {
     private Impulses() {}
 
-    /** A frame in which no step is due, and by which the waiting time grows by {@code elapsed} seconds. */
+    /** Ends a frame without a step: the forces of {@code elapsed} seconds become pending impulses. */
     static void hold(Table t, double elapsed) {
         for (int k = 0; k < t.tiles(); k++) {
             if (!t.pushed[k]) continue;
@@ -37,9 +38,9 @@ final class Impulses {
     }
 
     /**
-     * The beginning of a frame whose steps cover {@code covered} seconds. The waiting time was {@code before} and is
+     * Begins a frame whose steps cover {@code covered} seconds. The waiting time was {@code before} seconds and is now
      * {@code after} seconds, so the forces F of this frame acted for covered − before + after. If more time waited than
-     * the steps cover, {@code old} seconds of it remain, and with them that part of the pending impulse P:
+     * the steps cover, {@code old} seconds of it remain, and the same fraction of the pending impulse P:
      *
      * <pre>{@code
      * old   = max(0, before − covered)
@@ -47,8 +48,8 @@ final class Impulses {
      * P     = P old/before + F (after − old)
      * }</pre>
      *
-     * The share is computed as F + (P (1 − old/before) − F (before − old)) / covered, which passes on a constant force to
-     * the bit. Variable steps that cover less than a nanosecond leave P as it is.
+     * The share is computed as F + (P (1 − old/before) − F (before − old)) / covered, so that the share of a constant
+     * force is F, to the bit. Variable steps that cover less than a nanosecond do not change P.
      *
      * @param kept old/before, the fraction of P that stays pending
      * @param used before − old, the seconds of the waiting time that the steps cover
@@ -92,7 +93,7 @@ final class Impulses {
         }
     }
 
-    /** The next step uses the waiting forces. */
+    /** Adds the waiting forces to those of the next step. */
     static void useWaiting(Table t) {
         for (int k = 0; k < t.tiles(); k++) {
             if (!t.waiting[k]) continue;
@@ -106,7 +107,7 @@ final class Impulses {
         }
     }
 
-    /** The frame's forces act in its next step, too. */
+    /** Adds the frame's forces to those of its next step. */
     static void repeat(Table t) {
         for (int k = 0; k < t.tiles(); k++) {
             if (!t.framed[k]) continue;
@@ -120,7 +121,7 @@ final class Impulses {
         for (int i = start; i < end; i++) f[i] += more[i];
     }
 
-    /** The end of a call that ran steps, or was to run some: forces that were applied after the last step wait. */
+    /** Ends a call that had steps to run: forces that were applied after the last step wait for the next call. */
     static void end(Table t) {
         for (int k = 0; k < t.tiles(); k++) {
             int start = Table.start(k), end = t.lanes(k);

@@ -1,10 +1,10 @@
 package yarts.physics;
 
 /**
- * The method by which a step of {@code dt} seconds is computed.
+ * The method that computes a step of {@code dt} seconds: a trade-off between accuracy, stability and cost.
  *
- * <p>All four solve the same equation, per axis, for a force F that is constant during the step and a friction f (linear
- * drag):
+ * <p>All four integrators solve the same equation, for each axis, with a force F in N that is constant during the step,
+ * a friction (linear drag) f in N·s/m and a mass m in kg:
  *
  * <pre>{@code
  * m dv/dt = F − f v,   z = f dt/m
@@ -26,39 +26,39 @@ package yarts.physics;
  *
  * <p>The lag is the fraction of the step during which the old velocity still moves the unit.
  *
- * <p>For every z, v' lies between v and the terminal speed F/f. So friction never reverses a unit, and nothing oscillates
- * around its terminal speed. Friction that is applied naively, as one more force −f v, does both when z exceeds 1: the
- * jitters of "Y*A*R*T*S (Yet Another Real Time Strategy game)".
+ * <p>For every z, v' lies between v and the terminal speed F/f. So friction never reverses a unit, and the speed never
+ * oscillates around F/f. If friction is applied as one more force −f v instead, both happen when z exceeds 1: these are
+ * the jitters of "Y*A*R*T*S (Yet Another Real Time Strategy game)".
  */
 public enum Integrator {
     /**
-     * The source's own rule: the position from the velocity at the start of the step, then the velocity from F/m. A step
-     * with z ≥ 1 reaches the terminal speed at once.
+     * The rule of "Y*A*R*T*S": the position from the velocity at the start of the step, then the velocity from F/m. A
+     * step with z ≥ 1 reaches the terminal speed at once.
      */
     EULER(0),
 
     /**
-     * The velocity first, then the position from the new velocity. Use it for forces that depend on the position: springs,
+     * The velocity first, then the position from the new velocity. Use it for forces that depend on positions: springs,
      * formations, orbits. Springs and orbits do not gain energy while k dt² &lt; 4 m + 2 f dt, where k is the stiffness
-     * in N/m; with the other three they do.
+     * in N/m; with the other three integrators they do.
      */
     SEMI_IMPLICIT(3),
 
     /**
-     * The implicit midpoint rule in closed form: the average velocity during the step moves the unit. It is exact for
-     * constant forces without friction. A step with z ≥ 2 reaches the terminal speed at once.
+     * The implicit midpoint rule in closed form: the position from the average of the old and the new velocity. It is
+     * exact for constant forces without friction. A step with z ≥ 2 reaches the terminal speed at once.
      */
     MIDPOINT(1),
 
     /**
-     * The closed-form solution. While forces are constant and the cap does not bind, a unit takes the same path at any
-     * tick rate. This is the default of a {@link World}.
+     * The closed-form solution: while forces are constant and a unit is below its top speed, it takes the same path at
+     * any step length. This is the default of a {@link World}.
      */
     EXACT(2);
 
     private static final Integrator[] BY_CODE = {EULER, MIDPOINT, EXACT, SEMI_IMPLICIT};
 
-    /** The number in hashes and bytes, which never changes. */
+    /** The number of this integrator in hashes and saved bytes; it never changes. */
     final int code;
 
     Integrator(int code) {

@@ -1,8 +1,8 @@
 package yarts.physics;
 
 /**
- * The physics: a step of one row; {@link Passes} does the same for many rows. {@link Coefficients} computes decay,
- * gain and lag of a row from dt, the integrator, mass and friction; the cap is its top speed:
+ * The physics: a step of one row. {@link Passes} computes the same for many rows. {@link Coefficients} computes the
+ * decay, gain and lag of a row from dt, the integrator, the mass and the friction. The cap is the top speed of the row:
  *
  * <pre>{@code
  * v' = decay v + gain F                     decay(z), gain(z) dt/m of Integrator
@@ -12,38 +12,39 @@ package yarts.physics;
  * F  = 0
  * }</pre>
  *
- * <p>Only + − * /, sqrt, abs, min and max are used: they give the same bits everywhere. Branches would prevent
+ * <p>The formulas use only + − * /, sqrt, abs, min and max, which give the same bits everywhere. Branches would prevent
  * vectorisation, so max(0, a) is written as (a + |a|)/2, which is exact, and cheaper than Math.max, which also handles
- * NaN and −0.0. The first operand of a sum is the one that is a sum, and likewise for products: TeaVM omits the
- * parentheses of a + (b + c) in JavaScript.
+ * NaN and −0.0. If one operand of a sum is itself a sum, it comes first, because TeaVM omits the parentheses of
+ * a + (b + c) in JavaScript; likewise for products.
  */
 final class Kernel {
-    /** No unit is faster; in m/s. Its square, and the square of the change by a step, do not overflow. */
+    /** The highest possible speed; in m/s. Its square, and the square of the change in a step, do not overflow. */
     static final double FASTEST = 0x1p500;
 
-    /** Smaller velocity components become 0; in m/s. Its square is still a normal number. */
+    /** The threshold below which velocity components become 0; in m/s. Its square is a normal number. */
     static final double REST = 0x1p-500;
 
-    /** The cap of a unit with a top speed of 0: less than REST by so much that the capped velocity becomes exactly 0. */
+    /** The cap of a unit with a top speed of 0; in m/s. It is so far below REST that the velocity becomes exactly 0. */
     private static final double PINNED = 0x1p-1000;
 
     /**
-     * A speed above the cap is reduced to the cap minus this fraction of it; a speed at the cap stays. The rounding errors
-     * of the reduction and of {@link #speed} are smaller: a reduced speed is not above the cap, and is not reduced again.
+     * A speed above the cap is reduced to the cap minus this fraction of it; a speed at the cap does not change. The
+     * rounding errors of the reduction and of {@link #speed} are smaller than this fraction, so a reduced speed does
+     * not exceed the cap and is not reduced again.
      */
     static final double MARGIN = 0x1p-49;
 
     /** Scales even the smallest excess (2^-53 of the cap) beyond MARGIN. */
     private static final double STEEP = 0x1p60;
 
-    /** A speed above this fraction of the top speed is reported as the top speed. */
+    /** {@link Unit#getSpeed} returns the top speed if the speed is at least this fraction of it. */
     private static final double AT_CAP = 1 - 2 * MARGIN;
 
     private static final double HALF_OVER_REST = 0.5 / REST;
 
     private Kernel() {}
 
-    /** A step of row i: forces and friction, motor, speed cap, position; then the forces are cleared. */
+    /** Steps row i: forces and friction, motor, speed cap, position. Then clears its forces. */
     static void step(Table t, int i, double dt) {
         double vx = t.vx[i], vy = t.vy[i], decay = t.decay[i], gain = t.gain[i], lag = t.lag[i];
         double nextX = velocity(decay, vx, gain, t.fx[i]);
@@ -63,25 +64,26 @@ final class Kernel {
         t.fx[i] = t.fy[i] = 0;
     }
 
-    /** v' before the speed cap. */
+    /** v' before the motor and the speed cap, on one axis. */
     static double velocity(double decay, double v, double gain, double force) {
         return decay * v + gain * force;
     }
 
-    /** The greatest change of the velocity by the motor. */
+    /** The maximum change of the velocity by the motor in a step; in m/s. */
     static double reach(double gain, double force) {
         return gain * force;
     }
 
     /**
-     * The share k of the motor's velocity in v', so that the motor changes v' by at most its reach. It is exactly 1 within
-     * reach. The smallest normal number, which no reach of REST or more notices, prevents 0/0 for a unit without a motor.
+     * The share k of the motor's velocity in v', with which the motor changes v' by at most its reach. It is exactly 1
+     * if u is within reach. The smallest normal number prevents 0/0 for a unit without a motor; its addition does not
+     * change a reach of REST or more.
      */
     static double share(double vx, double vy, double ux, double uy, double reach) {
         return reach / (Math.max(speed(ux - vx, uy - vy), reach) + Double.MIN_NORMAL);
     }
 
-    /** v' with the motor, on one axis: exactly u if k is 1, exactly v' if k is 0. */
+    /** v' after the motor, on one axis: exactly u if k is 1, exactly v' if k is 0. */
     static double blend(double v, double u, double k) {
         return (1 - k) * v + k * u;
     }
@@ -94,8 +96,8 @@ final class Kernel {
     }
 
     /**
-     * v, or less if |v| is below REST: it is multiplied by |v|/REST, and so becomes exactly 0 within a few steps, however
-     * slowly it decays. The result is never −0.0. Without this, velocities would end as subnormal numbers, whose
+     * v, multiplied by |v|/REST if |v| is below REST, so that it becomes exactly 0 within a few steps, even if it
+     * decays slowly. The result is never −0.0. Without this, velocities would end as subnormal numbers, whose
      * arithmetic is tens of times slower and rounds 0.9 v to v.
      */
     static double rest(double v) {
@@ -103,29 +105,29 @@ final class Kernel {
         return v - v * (a + Math.abs(a)); // a + |a| = max(0, 1 − |v|/REST)
     }
 
-    /** x'. */
+    /** x', on one axis. */
     static double position(double x, double dt, double lag, double v, double next) {
         return (lag * v + (1 - lag) * next) * dt + x;
     }
 
-    /** |v|. In the range of velocities, squares neither overflow nor vanish. */
+    /** |v|. In the range of velocities, the squares neither overflow nor underflow. */
     static double speed(double vx, double vy) {
         return Math.sqrt(vx * vx + vy * vy);
     }
 
-    /** The speed of a row, or its top speed if the difference may be due to the rounding errors of the cap. */
+    /** The speed of a row, or its top speed if the rounding errors of the cap can explain the difference. */
     static double speed(Table t, int i) {
         double speed = speed(t.vx[i], t.vy[i]), most = t.maxSpeed[i];
         return speed >= most * AT_CAP ? most : speed;
     }
 
-    /** Sets the top speed of a row, not its velocity. The cap is within the numbers with which {@link #left} can compute. */
+    /** Sets the top speed of a row, and the cap: the top speed, limited to the valid range of {@link #left}. */
     static void setMaxSpeed(Table t, int i, double maxSpeed) {
         t.maxSpeed[i] = zeroBelowRest(maxSpeed);
         t.cap[i] = Math.max(Math.min(t.maxSpeed[i], FASTEST), PINNED);
     }
 
-    /** Sets the velocity of a row to any finite one: it is capped, and components below REST become 0. */
+    /** Sets the velocity of a row. Any finite velocity is valid; it is capped, and components below REST become 0. */
     static void accept(Table t, int i, double vx, double vy) {
         double scale = scale(vx, vy);
         vx *= scale;
@@ -135,14 +137,16 @@ final class Kernel {
         t.vy[i] = zeroBelowRest(vy * left);
     }
 
-    /** Sets the velocity of a row's motor to any finite one: components below REST become 0. */
-    static void order(Table t, int i, double vx, double vy) {
+    /** Sets the ordered velocity of a motor. Any finite velocity is valid; components below REST become 0. */
+    static void setMotorVelocity(Table t, int i, double vx, double vy) {
         double scale = scale(vx, vy);
         t.motorVx[i] = zeroBelowRest(vx * scale);
         t.motorVy[i] = zeroBelowRest(vy * scale);
     }
 
-    /** The factor that limits the components of a velocity to FASTEST, so that their squares do not overflow. */
+    /**
+     * The factor that reduces the components of a velocity to at most FASTEST, so that their squares do not overflow.
+     */
     private static double scale(double vx, double vy) {
         double most = Math.max(Math.abs(vx), Math.abs(vy));
         return most > FASTEST ? FASTEST / most : 1;

@@ -14,22 +14,22 @@ import java.util.Set;
 import java.util.function.LongFunction;
 
 /**
- * The units of a world, by index and by id. Unit i has row i of the world's table. A removal gives the index of the unit
- * to the last one.
+ * The units of a world, by index and by id. Unit i has row i of the world's table. When a unit is removed, the last one
+ * takes its index.
  */
 final class Members extends AbstractList<Unit> implements RandomAccess {
-    /** At least twice as many slots as units keep the searches short. */
+    /** The minimum number of slots per unit: free slots keep searches short. */
     private static final int SLOTS_PER_UNIT = 2;
 
-    private static final long GOLDEN = 0x9E3779B97F4A7C15L; // spreads the ids over the slots
+    private static final long GOLDEN = 0x9E3779B97F4A7C15L; // distributes the ids over the slots
 
     private static final Unit[] NONE = {};
 
     private final State state;
     private Unit[] list = NONE;
-    /** Where a restore makes its list; without units otherwise. */
+    /** The array in which a restore collects its units; empty at other times. */
     private Unit[] spare = NONE;
-    /** A hash table with linear probing from ids to rows: row + 1, or 0 if free. Its length is a power of two. */
+    /** A hash table from ids to rows, with linear probing: row + 1, or 0 if free. Its length is a power of two. */
     private int[] slots = {0};
 
     Members(State state) {
@@ -49,7 +49,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
         return row < 0 ? null : list[row];
     }
 
-    /** The slot of an id, or the free slot where it belongs. */
+    /** The slot of an id, or the free slot in which to enter it. */
     private int slot(long id) {
         long[] ids = state.table.id;
         int s = home(id);
@@ -65,7 +65,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
         return (slot + 1) & (slots.length - 1);
     }
 
-    /** Frees the slot of an id, and moves the entries after it that would no longer be found. */
+    /** Frees the slot of an id, and moves later entries that a search would no longer find. */
     private void free(long id) {
         int gap = slot(id), mask = slots.length - 1;
         for (int s = next(gap); slots[s] != 0; s = next(s)) {
@@ -77,7 +77,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
         slots[gap] = 0;
     }
 
-    /** Makes room for some units. Changes come after this, because it fails if memory runs out. */
+    /** Allocates memory for a number of units. If memory runs out, the units are unchanged: call it before changes. */
     private void reserve(int units) {
         if (units > list.length) list = Arrays.copyOf(list, Math.max(units, list.length + list.length / 2 + 8));
         state.table.reserve(units);
@@ -87,7 +87,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
         }
     }
 
-    /** Enters all ids into the empty slots. */
+    /** Enters all ids into the hash table, which must be empty. */
     private void index() {
         for (int i = 0; i < size(); i++) slots[slot(state.table.id[i])] = i + 1;
     }
@@ -130,7 +130,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
         return unit;
     }
 
-    /** Moves a unit to a table outside a world. It loses the forces that have not acted. */
+    /** Moves a unit to a table outside a world, and clears its forces. */
     private static void leave(Unit unit, Table to, int row) {
         unit.table.copyRow(unit.row, to, row);
         to.clearForces(row);
@@ -138,7 +138,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
         unit.row = row;
     }
 
-    /** Leaves the table to the units, and takes a new one. */
+    /** Lets the units keep the table, and creates a new one for the world. */
     @Override
     public void clear() {
         if (isEmpty()) return;
@@ -154,10 +154,10 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
     }
 
     /**
-     * Restores a state. The units of the table become those with the saved ids: known ones, or those here, or new ones of
-     * a factory. The others leave.
+     * Restores a state. The units of the world become those with the saved ids; the others leave.
      *
-     * @param known the saved units, in order, if this world was saved; otherwise null
+     * @param known the saved units, in order, if this world was saved; null to take the present units with the saved
+     *     ids, and units of the factory for missing ones
      */
     void restore(State saved, Unit[] known, LongFunction<? extends Unit> factory) {
         int n = saved.table.size;
@@ -169,7 +169,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
         try {
             if (known != null) System.arraycopy(known, 0, spare, 0, n);
             else collect(saved.table, factory);
-            check(n);
+            check(saved.table);
             reserve(n);
             replace(saved);
         } finally {
@@ -177,7 +177,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
         }
     }
 
-    /** Whether the saved units are those here, in the same order. */
+    /** Whether the saved units are the present ones, in the same order. */
     private boolean isSame(Table saved, Unit[] known) {
         if (saved.size != size()) return false;
         for (int i = 0; i < saved.size; i++) {
@@ -186,7 +186,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
         return true;
     }
 
-    /** Fills the spare list with the units that have the saved ids. */
+    /** Fills the spare array with the units that have the saved ids. */
     private void collect(Table saved, LongFunction<? extends Unit> factory) {
         int changes = modCount;
         Set<Unit> made = null;
@@ -206,20 +206,21 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
         }
     }
 
-    private void check(int n) {
-        for (int i = 0; i < n; i++) {
+    private void check(Table saved) {
+        for (int i = 0; i < saved.size; i++) {
             if (spare[i].table.owner != null && !has(spare[i])) {
-                throw new IllegalStateException("a unit of the snapshot is now in another world: " + spare[i]);
+                throw new IllegalStateException(
+                        "unit " + saved.id[i] + " of the snapshot is now in another world: " + spare[i]);
             }
         }
     }
 
-    /** Replaces the units by the first ones of the spare list, and the state by a saved one. */
+    /** Replaces the units by those in the spare array, and the state by a saved one. */
     private void replace(State saved) {
         int n = saved.table.size, leaving = size();
         for (int i = 0; i < n; i++) if (has(spare[i])) leaving--;
         Table left = leaving > 0 ? new Table(leaving) : null;
-        for (int i = 0; i < n; i++) if (has(spare[i])) list[spare[i].row] = null; // it stays
+        for (int i = 0; i < n; i++) if (has(spare[i])) list[spare[i].row] = null; // does not leave
         for (int i = 0; i < size(); i++) if (list[i] != null) leave(list[i], left, --leaving);
         Unit[] old = list;
         list = spare;
@@ -287,7 +288,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
                 "units were added, removed or reordered since this iterator or sublist was created");
     }
 
-    /** The units from one index to another, as long as none is added or removed. */
+    /** The units from one index to another. After any addition or removal, its methods throw an exception. */
     private final class Part extends AbstractList<Unit> implements RandomAccess {
         private final int start, end, changes = Members.this.modCount;
 
@@ -327,7 +328,9 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
         }
     }
 
-    /** Iterates over the units from one index to another. Every method notices changes, whichever unit has left. */
+    /**
+     * An iterator over the units from one index to another. Every method detects an addition or removal of any unit.
+     */
     private final class Cursor implements ListIterator<Unit> {
         private final int start;
         private int end, next, last = -1, changes = modCount;
@@ -346,7 +349,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
 
         @Override
         public Unit next() {
-            if (!hasNext()) throw new NoSuchElementException("there is no further unit");
+            if (!hasNext()) throw new NoSuchElementException("there is no next unit");
             last = next++;
             return list[last];
         }
@@ -359,7 +362,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
 
         @Override
         public Unit previous() {
-            if (!hasPrevious()) throw new NoSuchElementException("there is no unit before this");
+            if (!hasPrevious()) throw new NoSuchElementException("there is no previous unit");
             last = --next;
             return list[last];
         }
@@ -375,11 +378,11 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
             return nextIndex() - 1;
         }
 
-        /** Removes the unit that was returned last. The last unit takes its index, and is returned next. */
+        /** Removes the unit that was returned last. The last unit of the world takes its index and is returned next. */
         @Override
         public void remove() {
             checkUnchanged(changes);
-            if (last < 0) throw new IllegalStateException("next must be called before each remove");
+            if (last < 0) throw new IllegalStateException("next or previous must be called before each remove");
             Members.this.remove(last);
             next = last;
             last = -1;
@@ -389,12 +392,12 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
 
         @Override
         public void set(Unit unit) {
-            throw new UnsupportedOperationException("units are added by World.add");
+            throw new UnsupportedOperationException("units can be added only by World.add");
         }
 
         @Override
         public void add(Unit unit) {
-            throw new UnsupportedOperationException("units are added by World.add");
+            throw new UnsupportedOperationException("units can be added only by World.add");
         }
     }
 }

@@ -3,23 +3,29 @@ package yarts.physics;
 /**
  * A step of the rows of a tile, as a series of passes: short loops, each with a part of {@link Kernel}'s formula.
  *
- * <p>HotSpot vectorises a loop only if it is short (60 nodes of its graph) and has no branch; so there are several, over
- * a tile that stays in the cache from pass to pass. Once it has seen a loop end after a few iterations, it no longer
- * vectorises it, not even for the long runs that come later: so loops cover a multiple of {@link Table#LANES} rows. In a
- * method with many loops, as a step inlined into a game's loop would be, it leaves some of them slow; but it does not
- * inline a call that has many implementations. So each pass is an object behind an interface, and is compiled on its own.
+ * <p>The passes have this form because of HotSpot:
+ *
+ * <ul>
+ *   <li>It vectorises a loop only if the loop is short (60 nodes of its graph) and has no branch. So there are several
+ *       loops, over a tile that stays in the cache from pass to pass.
+ *   <li>It does not vectorise a loop that it has seen end after a few iterations, even if later runs are long. So loops
+ *       cover a multiple of {@link Table#LANES} rows.
+ *   <li>It does not vectorise all loops of a method with many loops, such as a step that was inlined into a game's
+ *       loop. It does not inline a call with many implementations, however. So each pass is an object behind an
+ *       interface, and is compiled on its own.
+ * </ul>
  */
 final class Passes {
     private Passes() {}
 
-    /** A part of a step, for the rows from start to end. */
+    /** A part of a step, for the rows from start (inclusive) to end (exclusive). */
     private interface Pass {
         void run(Table t, double dt, int start, int end);
     }
 
     /**
-     * Forces and friction, speed cap, position. The new velocity is kept in the force column until the last passes. The
-     * new positions replace the previous ones; the two are swapped when all tiles are done.
+     * Forces and friction, speed cap, position. The force column contains the new velocity until the last passes. The
+     * new positions replace the previous ones; the two columns are swapped when all tiles are done.
      */
     private static final Pass[] PUSHED = {
         (t, dt, start, end) -> push(t.vx, t.decay, t.gain, t.fx, start, end),
@@ -29,7 +35,7 @@ final class Passes {
         (t, dt, start, end) -> move(t.y, t.previousY, dt, t.lag, t.vy, t.fy, start, end)
     };
 
-    /** The same with the motor. Its reach is kept in the column of the previous position until the last passes. */
+    /** The same with motors. The column of the previous position contains their reach until the last passes. */
     private static final Pass[] MOTORED = {
         PUSHED[0],
         PUSHED[1],
@@ -40,13 +46,13 @@ final class Passes {
         PUSHED[4]
     };
 
-    /** Without forces no unit becomes faster, so none needs the speed cap. */
+    /** No forces: no unit becomes faster, so the speed cap is not needed. */
     private static final Pass[] COASTING = {
         (t, dt, start, end) -> coast(t.x, t.previousX, dt, t.lag, t.vx, t.decay, start, end),
         (t, dt, start, end) -> coast(t.y, t.previousY, dt, t.lag, t.vy, t.decay, start, end)
     };
 
-    /** A step of a tile's rows by the fewest passes that give the same bits as all of them. */
+    /** Steps the rows of a tile with the fewest passes that give the same result, to the bit. */
     static void step(Table t, double dt, int tile) {
         int start = Table.start(tile), end = t.lanes(tile);
         if (t.motored[tile]) for (Pass pass : MOTORED) pass.run(t, dt, start, end);

@@ -14,7 +14,7 @@ final class SnapshotFormat {
     private static final int CRC = 4;
     private static final long MAX_ID = Long.MAX_VALUE / 4;
 
-    /** Components of forces and impulses that have not acted: more than 2^63 calls can reach. */
+    /** The maximum component of forces and impulses that have not acted; 2^63 calls cannot exceed it. */
     private static final double MAX_HELD = 1e70;
 
     private SnapshotFormat() {}
@@ -59,8 +59,8 @@ final class SnapshotFormat {
             throw new IllegalArgumentException("the bytes are not a snapshot: they do not begin with YARTSPHY");
         }
         int version = in.getInt(), count = in.getInt();
-        if (version != VERSION) throw Check.refused("version", "" + VERSION, version);
-        if (count < 0) throw Check.refused("the number of units", ">= 0", count);
+        if (version != VERSION) throw Check.invalid("version", "" + VERSION, version);
+        if (count < 0) throw Check.invalid("the number of units", ">= 0", count);
         if (length != length(count)) {
             throw new IllegalArgumentException("the bytes are " + (length < length(count) ? "truncated" : "too many")
                     + ": a snapshot of " + count + " units has " + length(count) + ", these are " + length);
@@ -88,7 +88,7 @@ final class SnapshotFormat {
         int maxSteps = in.getInt();
         Check.count("padding", in.getInt(), 0);
         Timestep timestep = rate == 0 ? Timestep.variable(maxStep) : Timestep.fixed(rate);
-        if (timestep.maxStep != maxStep) throw Check.refused("maxStep", timestep.maxStep + " at that rate", maxStep);
+        if (timestep.maxStep != maxStep) throw Check.invalid("maxStep", timestep.maxStep + " at that rate", maxStep);
         return timestep.withMaxSteps(maxSteps);
     }
 
@@ -112,16 +112,16 @@ final class SnapshotFormat {
         for (int i = 0; i < ids.length; i++) {
             long least = i == 0 ? 1 : ids[i - 1] + 1;
             if (ids[i] < least || ids[i] > lastId) {
-                throw Check.refused("id", "from 1 to " + lastId + ", each once", ids[i]);
+                throw Check.invalid("id", "from 1 to " + lastId + ", each once", ids[i]);
             }
         }
     }
 
-    /** Throws if no unit can have the state of a row. */
+    /** Throws an exception if no unit can have the state of a row. */
     private static void check(Table t, int i) {
         Check.finite("x", t.x[i]);
         Check.finite("y", t.y[i]);
-        // The differences must be finite, too, for interpolation.
+        // Interpolation needs finite differences.
         Check.finite("x - previousX", t.x[i] - Check.finite("previousX", t.previousX[i]));
         Check.finite("y - previousY", t.y[i] - Check.finite("previousY", t.previousY[i]));
         Check.mass(t.mass[i]);
@@ -131,8 +131,8 @@ final class SnapshotFormat {
         velocity("vx", t.vx[i], most);
         velocity("vy", t.vy[i], most);
         double speed = Kernel.speed(t.vx[i], t.vy[i]);
-        if (!(speed <= most)) throw Check.refused("speed", "at most " + most + " m/s", speed);
-        if (t.frozen[i] != 0 && t.frozen[i] != 1) throw Check.refused("frozen", "0 or 1", t.frozen[i]);
+        if (!(speed <= most)) throw Check.invalid("speed", "at most " + most + " m/s", speed);
+        if (t.frozen[i] != 0 && t.frozen[i] != 1) throw Check.invalid("frozen", "0 or 1", t.frozen[i]);
         if (t.frozen[i] == 1) {
             notBelowRest("vx of a frozen unit", t.vx[i]);
             notBelowRest("vy of a frozen unit", t.vy[i]);
@@ -153,16 +153,16 @@ final class SnapshotFormat {
     private static void velocity(String name, double v, double most) {
         boolean subnormal = v != 0 && Math.abs(v) < Double.MIN_NORMAL;
         if (subnormal || !(Math.abs(v) <= most)) {
-            throw Check.refused(name, "0 or a normal number, at most " + most + " in magnitude", v);
+            throw Check.invalid(name, "0 or a normal number, at most " + most + " in magnitude", v);
         }
     }
 
     private static void notBelowRest(String name, double v) {
         if (v != Kernel.zeroBelowRest(v))
-            throw Check.refused(name, "0 or at least " + Kernel.REST + " in magnitude", v);
+            throw Check.invalid(name, "0 or at least " + Kernel.REST + " in magnitude", v);
     }
 
     private static void held(String name, double value) {
-        if (!(Math.abs(value) <= MAX_HELD)) throw Check.refused(name, "finite and at most 1.0E70 in magnitude", value);
+        if (!(Math.abs(value) <= MAX_HELD)) throw Check.invalid(name, "finite and at most 1.0E70 in magnitude", value);
     }
 }

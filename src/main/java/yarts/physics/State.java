@@ -1,8 +1,8 @@
 package yarts.physics;
 
 /**
- * Everything that a world's future and the picture of its units depend on: hash, save and restore cover exactly this. A
- * {@link World} has one, and so has a {@link Snapshot}.
+ * Everything that the future steps of a world and the interpolated positions depend on. Hash, save and restore cover
+ * exactly this. A {@link World} has one state, and a {@link Snapshot} has another.
  */
 final class State {
     Table table = new Table(0);
@@ -10,9 +10,11 @@ final class State {
     Integrator integrator;
     /** The last id that was given to a unit. */
     long lastId;
-    /** The last id that was given before the last step. Units with a higher id did not take part in it. */
+    /**
+     * The last id that was given to a unit before the last step. Units with higher ids did not take part in this step.
+     */
     long lastSteppedId;
-    /** Whether the picture is interpolated over the last step, as far as the clock's remainder reaches. */
+    /** Whether positions are interpolated: at the alpha of the clock if true, at 1 if false. */
     boolean interpolating;
 
     State(Integrator integrator, Timestep timestep) {
@@ -20,7 +22,7 @@ final class State {
         clock = new Clock(timestep);
     }
 
-    /** Copies another state, outside of any step. Where memory runs out, this state is unchanged. */
+    /** Copies another state, outside of any step. If memory runs out, this state is unchanged. */
     void copy(State other) {
         table.copy(other.table);
         clock.copy(other.clock);
@@ -31,8 +33,8 @@ final class State {
     }
 
     /**
-     * A hash of all this. A change of a single bit always changes it, since each step of it can be undone. A column of
-     * zeros contributes 0, so it can be omitted.
+     * A hash of the whole state. A change of a single bit always changes it, because each round can be inverted. A
+     * column of zeros contributes 0, so it can be omitted.
      */
     long hash() {
         long h = Clock.mix(Clock.mix(clock.hash(integrator.code), lastId), lastSteppedId);

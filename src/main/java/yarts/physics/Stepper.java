@@ -1,14 +1,14 @@
 package yarts.physics;
 
-/** A step of a table, tile by tile. A tile is pushed, coasting or asleep; one that is asleep costs nothing. */
+/** Steps a table, tile by tile. A tile has forces or motors, coasts, or is asleep; a sleeping tile is skipped. */
 final class Stepper implements Crew.Work {
-    /** The fewest tiles for a thread. */
-    static final int LEAST = 32;
+    /** The minimum number of tiles for a thread. */
+    static final int MIN_TILES = 32;
 
-    /** Steps between two searches for tiles in which nothing moves, or without motors. */
-    private static final int PATIENCE = 16;
+    /** The number of steps between two searches for tiles without motion or without motors. */
+    private static final int SEARCH_INTERVAL = 16;
 
-    /** The threads that do the work; null if the calling thread does it. */
+    /** The threads that share the work; null if the calling thread does it alone. */
     Crew crew;
 
     private Table table;
@@ -26,13 +26,13 @@ final class Stepper implements Crew.Work {
         table.swapPositions();
     }
 
-    /** The step of one tile. Rows are independent of one another, so it does not matter which thread does which tile. */
+    /** Steps one tile. Rows do not depend on one another, so any thread can step any tile. */
     @Override
     public void run(int tile) {
         Table t = table;
         boolean pushed = t.pushed[tile];
         if (!pushed && t.asleep[tile]) return;
-        if (steps % PATIENCE == 0) {
+        if (steps % SEARCH_INTERVAL == 0) {
             if (t.motored[tile]) t.motored[tile] = hasMotors(t, tile);
             if (!pushed && fallsAsleep(t, tile)) return;
         }
@@ -48,7 +48,10 @@ final class Stepper implements Crew.Work {
         return false;
     }
 
-    /** Lets a tile sleep if nothing moves or has a motor that would move it. Both arrays of positions must be equal then. */
+    /**
+     * Lets a tile sleep if no row moves and no motor would move one. Makes its previous positions equal to its
+     * positions.
+     */
     private static boolean fallsAsleep(Table t, int tile) {
         for (int i = Table.start(tile), end = t.end(tile); i < end; i++) {
             if (t.frozen[i] == 0 && (moves(t, i) || drives(t, i))) return false;
@@ -66,7 +69,7 @@ final class Stepper implements Crew.Work {
         return t.motorForce[i] > 0 && (t.motorVx[i] != 0 || t.motorVy[i] != 0) && t.maxSpeed[i] > 0;
     }
 
-    /** Passes move frozen units, too: this undoes it in the new positions. */
+    /** Restores the positions of frozen units, because the passes have moved them, too. */
     private static void keepFrozen(Table t, int tile) {
         for (int i = Table.start(tile), end = t.end(tile); i < end; i++) if (t.frozen[i] != 0) t.settle(i);
     }

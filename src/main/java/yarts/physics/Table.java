@@ -3,27 +3,27 @@ package yarts.physics;
 import java.util.Arrays;
 
 /**
- * The state of units: one array per quantity, one row per unit. It grows and copies rows; it knows no physics.
+ * The state of units: one array per quantity, one row per unit. It grows and copies rows; it contains no physics.
  *
- * <p>The rows are divided into tiles, which a step processes one after the other: the data of a tile stays in the cache
- * from pass to pass. Each tile has flags. A flag that says that rows may have something is conservative: where it is
+ * <p>The rows are divided into tiles. A step processes one tile after the other, so the data of a tile stays in the
+ * cache from pass to pass. Each tile has flags. A flag may be true although no row has the property, but if it is
  * false, no row has it.
  *
- * <p>A table belongs to a world, to a snapshot, or to units outside a world. In the last case its rows are independent:
- * several threads may use different ones. Nothing reads the flags there, and they are only ever set.
+ * <p>A table belongs to a world, to a snapshot, or to units outside a world. Outside a world, different threads may use
+ * different rows: no code reads the flags there, and no code clears them.
  */
 final class Table {
     private static final int SHIFT = 9;
 
-    /** Rows of a tile. The arrays that a pass touches fit into a first-level cache of 32 KB. */
+    /** The number of rows in a tile. The arrays of a pass fit into a first-level cache of 32 KB. */
     static final int TILE = 1 << SHIFT;
 
     /** Loops over a tile cover a multiple of this many rows; see {@link Passes}. */
     static final int LANES = 32;
 
     /**
-     * Additional elements of long arrays: a cache line. Arrays whose lengths are powers of two would start at the same
-     * offset within a page, and would then evict one another from the cache.
+     * The number of additional elements of long arrays: a cache line. Arrays whose lengths are powers of two would
+     * start at the same offset within a page and evict one another from the cache.
      */
     private static final int LINE = 8;
 
@@ -59,56 +59,61 @@ final class Table {
             COPIED = 22,
             COLUMNS = 25;
 
-    /** The world of the rows' units; null outside a world. */
+    /** The world that contains the units of the rows; null outside a world. */
     Object owner;
 
-    /** The number of rows in use. The others are at rest, with a mass and a cap of 1, because loops run over them, too. */
+    /** The number of rows in use. Loops also run over other rows; these are at rest, with a mass and a cap of 1. */
     int size;
 
-    /** The id that the world gave to the unit: 1, 2, 3 and so on; 0 if it never was in a world. */
+    /** The id that the world gave to the unit: 1, 2, 3 and so on; 0 if it was never in a world. */
     long[] id;
 
     double[] x, y, vx, vy, mass, friction, maxSpeed;
     /** 1 if frozen, otherwise 0. */
     double[] frozen;
-    /** The velocity that the motor tries to reach, and its greatest force. */
+    /** The ordered velocity of the motor, and its maximum force. */
     double[] motorVx, motorVy, motorForce;
     /** The force for the next step, or for the time of the next advance. */
     double[] fx, fy;
-    /** The force for exactly one step, which a later call runs: it was applied after the last step of a call. */
+    /**
+     * The force that was applied after the last step of a call. It acts for exactly one step, which a later call runs.
+     */
     double[] waitingX, waitingY;
-    /** The impulse of forces that acted during elapsed time that no step has covered yet. */
+    /** The impulse of forces during elapsed time that no step has covered yet. */
     double[] pendingX, pendingY;
-    /** The position before the last step, to interpolate from. */
+    /** The position before the last step, for interpolation. */
     double[] previousX, previousY;
 
-    /** The top speed within the numbers with which {@link Kernel} can compute. It follows from the state. */
+    /** The top speed, limited to the range in which {@link Kernel} can compute. It follows from the state. */
     double[] cap;
-    /** The force that a frame gives to each of its steps, while they run. */
+    /** The force of a frame in each of its steps, while they run. */
     double[] frameX, frameY;
     /** The coefficients of {@link Kernel}, which follow from the state for one {@link #dt} and {@link #integrator}. */
     double[] decay, gain, lag;
 
-    /** All of these columns: those of the state, the cap and the frame's force, then the coefficients, which are not copied. */
+    /** All columns in this order: the state, the cap, the frame's force, and the coefficients, which are not copied. */
     private double[][] all;
 
-    /** Tiles in which rows may have a force for the next step, a pending impulse, a waiting force, a frame's force. */
+    /**
+     * Tiles in which rows may have a force for the next step, a pending impulse, a waiting force, or a frame's force.
+     */
     boolean[] pushed, pending, waiting, framed;
-    /** Tiles in which rows may have a motor's velocity or force. */
+    /** Tiles in which rows may have an ordered velocity or a motor force. */
     boolean[] motored;
     /** Tiles in which rows may be frozen or have a top speed of 0. */
     boolean[] still;
-    /** Tiles in which nothing moves, or moved in the last step: a step without forces would not change them. */
+    /** Tiles that a step without forces would not change: no row moves, and none moved in the last step. */
     boolean[] asleep;
-    /** Tiles whose coefficients are not those of {@link #dt} and {@link #integrator}. */
+    /** Tiles whose coefficients are not for {@link #dt} and {@link #integrator}. */
     boolean[] stale;
 
-    /** The step for which the coefficients of all tiles hold that are not stale. */
+    /** The length of the steps for which the coefficients of the tiles hold that are not stale; in seconds. */
     double dt = -1;
 
+    /** The integrator for which they hold. */
     Integrator integrator;
 
-    /** Creates a table with some rows in use, and room for no more. */
+    /** Creates a table in which all rows are in use. */
     Table(int size) {
         this.size = size;
         int tiles = tiles(size);
@@ -163,7 +168,7 @@ final class Table {
         lag = all[k];
     }
 
-    /** {@return the columns of the state, as {@link #STATE} names them} */
+    /** {@return the columns of the state, in the order of {@link #STATE}} */
     double[][] columns() {
         return Arrays.copyOf(all, STATE.length);
     }
@@ -186,12 +191,12 @@ final class Table {
         return tile << SHIFT;
     }
 
-    /** The end of the rows of a tile that are in use. */
+    /** The end (exclusive) of the rows of a tile that are in use. */
     int end(int tile) {
         return Math.min(start(tile + 1), size);
     }
 
-    /** The end of a loop over a tile that may include rows not in use. */
+    /** The end (exclusive) of a loop over a tile, which may include rows that are not in use. */
     int lanes(int tile) {
         return Math.min(start(tile + 1), roundUp(size));
     }
@@ -200,13 +205,13 @@ final class Table {
         return (rows + LANES - 1) / LANES * LANES;
     }
 
-    /** Makes room for some rows. No other part of an addition takes memory. */
+    /** Allocates memory for a number of rows. No other part of an addition to the table allocates memory. */
     void reserve(int rows) {
         int capacity = id.length;
         if (rows > capacity) grow(roundUp(Math.max(rows, capacity + capacity / 2)));
     }
 
-    /** Allocates all arrays before it assigns them: if memory runs out, no more than a flag's array is longer. */
+    /** Allocates arrays of the state before it assigns any: if memory runs out, only arrays of flags may be longer. */
     private void grow(int capacity) {
         int old = all[MASS].length, length = length(capacity), tiles = tiles(capacity);
         double[][] columns = new double[COLUMNS][];
@@ -228,7 +233,7 @@ final class Table {
         use(columns);
     }
 
-    /** Copies a row to a row of another table, or of this one. Its coefficients must be computed then. */
+    /** Copies a row to a row of another table or of this one. The caller must then compute its coefficients. */
     void copyRow(int i, Table to, int j) {
         to.id[j] = id[i];
         for (int k = 0; k < COPIED; k++) to.all[k][j] = all[k][i];
@@ -242,12 +247,12 @@ final class Table {
         if (frozen[i] != 0 || maxSpeed[i] == 0) to.still[tile] = true;
     }
 
-    /** Whether a row has a motor's velocity or force. */
+    /** Whether a row has an ordered velocity or a motor force. */
     boolean hasMotor(int i) {
         return motorForce[i] != 0 || motorVx[i] != 0 || motorVy[i] != 0;
     }
 
-    /** Discards the forces on a row that have not acted, or not yet in every step of a frame. */
+    /** Discards the forces on a row that have not acted, or not in every step of the frame. */
     void clearForces(int i) {
         fx[i] = fy[i] = waitingX[i] = waitingY[i] = pendingX[i] = pendingY[i] = frameX[i] = frameY[i] = 0;
     }
@@ -257,20 +262,20 @@ final class Table {
         for (int i = 0; i < size; i++) clearForces(i);
     }
 
-    /** Lets a row be drawn where it is: it is not interpolated. */
+    /** Makes the previous position of a row equal to its position, so that it is not interpolated. */
     void settle(int i) {
         previousX[i] = x[i];
         previousY[i] = y[i];
     }
 
-    /** Lets all rows of a tile be drawn where they are. */
+    /** Makes the previous positions of a tile equal to its positions. */
     void settleTile(int tile) {
         int start = start(tile), rows = end(tile) - start;
         System.arraycopy(x, start, previousX, start, rows);
         System.arraycopy(y, start, previousY, start, rows);
     }
 
-    /** Makes the positions the previous ones, and the other way round. */
+    /** Swaps the columns of the positions and of the previous positions. */
     void swapPositions() {
         all[X] = previousX;
         all[Y] = previousY;
@@ -280,7 +285,7 @@ final class Table {
         y = all[Y];
     }
 
-    /** Takes rows from one on out of use. */
+    /** Reduces the number of rows in use, and resets the others. */
     void truncate(int newSize) {
         for (int i = newSize; i < size; i++) {
             for (int k = 0; k < COPIED; k++) all[k][i] = 0;

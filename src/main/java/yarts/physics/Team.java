@@ -6,29 +6,29 @@ import java.util.concurrent.locks.LockSupport;
 
 /**
  * The threads of a pool and the calling thread. All claim pieces of work from one counter. The caller waits only for
- * pieces that a helper has claimed: if the pool is busy, shut down or without threads, the caller does all of them.
+ * pieces that a helper has claimed. If the pool is busy, shut down or without threads, the caller does all pieces.
  */
 final class Team implements Crew {
-    /** How often the caller looks for the end of the last pieces before it sleeps. */
-    private static final int LOOKS = 1000;
+    /** The number of times that the caller checks for the end of the last pieces before it sleeps. */
+    private static final int SPINS = 1000;
 
     private final ForkJoinPool pool;
     private final int threads;
-    /** The fewest pieces for a thread: waking it for less takes longer than the work. */
-    private final int least;
-    /** Helpers that wait in the pool and have not begun. */
+    /** The minimum number of pieces for a thread. To wake a thread for fewer takes longer than the work. */
+    private final int minPieces;
+    /** The number of helpers that were submitted to the pool and have not begun. */
     private final AtomicInteger waiting = new AtomicInteger();
 
-    Team(ForkJoinPool pool, int least) {
+    Team(ForkJoinPool pool, int minPieces) {
         this.pool = pool;
-        this.least = least;
-        boolean common = pool == ForkJoinPool.commonPool(); // its parallelism does not count the caller
+        this.minPieces = minPieces;
+        boolean common = pool == ForkJoinPool.commonPool(); // its parallelism excludes the caller
         threads = pool.getParallelism() + (common ? 1 : 0);
     }
 
     @Override
     public void share(Work work, int n) {
-        int helpers = Math.min(threads, n / least) - 1;
+        int helpers = Math.min(threads, n / minPieces) - 1;
         Job job = helpers > 0 ? start(work, n, helpers) : null;
         if (job == null) {
             for (int i = 0; i < n; i++) work.run(i);
@@ -38,7 +38,7 @@ final class Team implements Crew {
         }
     }
 
-    /** Submits helpers before any work is done. Returns null if there is no memory for a job. */
+    /** Submits helpers, before any work is done. Returns null if there is not enough memory for a job. */
     private Job start(Work work, int n, int helpers) {
         Job job;
         try {
@@ -55,13 +55,13 @@ final class Team implements Crew {
                 });
             }
         } catch (RuntimeException | Error e) {
-            // The pool is shut down or cannot start a thread. A helper may wait in it all the same, so it stays
-            // counted.
+            // The pool is shut down or cannot start a thread. It may have accepted the helper before, so the helper
+            // still counts.
         }
         return job;
     }
 
-    /** The pieces of one call, and how far they are done. */
+    /** The pieces of one call, and the numbers of those that are claimed and done. */
     private static final class Job {
         private final Work work;
         private final int n;
@@ -86,11 +86,13 @@ final class Team implements Crew {
             }
         }
 
-        /** Waits until all pieces are done; an interrupt is preserved. Throws what a piece has thrown. */
+        /**
+         * Waits until all pieces are done, and preserves an interrupt. Throws the exception that a piece has thrown.
+         */
         void await() {
             boolean interrupted = false;
-            for (int looks = 0; done.get() < n; looks++) {
-                if (looks < LOOKS) continue;
+            for (int spins = 0; done.get() < n; spins++) {
+                if (spins < SPINS) continue;
                 LockSupport.park(this);
                 interrupted |= Thread.interrupted();
             }

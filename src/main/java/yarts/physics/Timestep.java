@@ -1,13 +1,15 @@
 package yarts.physics;
 
 /**
- * The rule by which {@code World.advance} turns the seconds of a frame into steps. Immutable.
+ * The rule by which {@code World.advance} divides the time of a frame into steps, such as 60 equal steps per second.
  *
  * <pre>{@code
  * Timestep.fixed(60)                   // always 1/60 s: the same steps on every machine
  * Timestep.variable(1 / 30.0)          // as long as the frame, but never longer than 1/30 s
  * Timestep.fixed(60).withMaxSteps(4)   // after a long frame, run at most 4 steps and drop the rest of the time
  * }</pre>
+ *
+ * <p>Immutable and thread-safe.
  */
 public final class Timestep {
     private static final int MAX_RATE = 1_000_000;
@@ -16,7 +18,7 @@ public final class Timestep {
     final int rate;
     /** The longest step; in seconds. */
     final double maxStep;
-    /** The greatest number of steps of one advance. */
+    /** The maximum number of steps of one advance. */
     final int maxSteps;
 
     private Timestep(int rate, double maxStep, int maxSteps) {
@@ -26,67 +28,71 @@ public final class Timestep {
     }
 
     /**
-     * Creates a timestep with steps of equal length. Time that does not fill a step waits for the next frame, and so does
-     * the impulse of forces during that time. Time is counted in integers, so that no step is lost however long the game
-     * runs: whole nanoseconds are exact; other times are rounded to 1e-9 of a step, and the error is carried over to the
-     * next frame. So n frames of 1.0/n seconds are exactly one second.
+     * Creates a timestep with steps of equal length, 1/rate seconds. Time that does not fill a step waits for the next
+     * frame, and so does the impulse of forces during that time.
      *
-     * @param stepsPerSecond the rate, from 1 to 1,000,000
-     * @return a timestep that runs at most the steps of a quarter of a second at a time
+     * <p>Time is counted in integers, so that no step is lost, no matter how long the game runs. Whole nanoseconds are
+     * exact. Other times are rounded to 1e-9 of a step, and the rounding error is carried over to the next frame. So n
+     * frames of 1.0/n seconds are exactly one second.
+     *
+     * @param stepsPerSecond the rate, from 1 to 1,000,000 steps per second
+     * @return a timestep with at most rate/4 steps per frame, rounded up: a frame of up to 0.25 s drops no time
      * @throws IllegalArgumentException if stepsPerSecond is out of range
      */
     public static Timestep fixed(int stepsPerSecond) {
         if (stepsPerSecond < 1 || stepsPerSecond > MAX_RATE) {
-            throw Check.refused("stepsPerSecond", "from 1 to " + MAX_RATE, stepsPerSecond);
+            throw Check.invalid("stepsPerSecond", "from 1 to " + MAX_RATE, stepsPerSecond);
         }
-        return new Timestep(stepsPerSecond, 1.0 / stepsPerSecond, Math.max(1, stepsPerSecond / 4));
+        return new Timestep(stepsPerSecond, 1.0 / stepsPerSecond, (stepsPerSecond + 3) / 4);
     }
 
     /**
-     * Creates a timestep with steps as long as the frame. A frame longer than maxStep is divided into equal steps that are
-     * not longer.
+     * Creates a timestep with one step for each frame, as long as the frame. A frame longer than maxStep is divided
+     * into equal steps that do not exceed it.
      *
      * @param maxStep the longest step, in seconds, from 1e-6 to 1e9
-     * @return a timestep that runs at most a quarter of a second at a time, or one step if maxStep is longer
+     * @return a timestep with at most 0.25/maxStep steps per frame, rounded up: a frame of up to 0.25 s drops no time
      * @throws IllegalArgumentException if maxStep is NaN or out of range
      */
     public static Timestep variable(double maxStep) {
         if (!(maxStep >= 1.0 / MAX_RATE && maxStep <= Check.MAX_TIME)) {
-            throw Check.refused("maxStep", "from 1.0E-6 to 1.0E9 s", maxStep);
+            throw Check.invalid("maxStep", "from 1.0E-6 to 1.0E9 s", maxStep);
         }
-        return new Timestep(0, maxStep, Math.max(1, (int) (0.25 / maxStep)));
+        int steps = (int) (0.25 / maxStep);
+        if (steps * maxStep < 0.25) steps++;
+        return new Timestep(0, maxStep, steps);
     }
 
     /**
-     * Returns a copy with another limit on the steps of one {@code World.advance}. Time beyond the limit is dropped, with
-     * its share of the forces' impulse, and is counted by {@link World#getDroppedTime()}: a game that cannot keep up slows
-     * down instead of falling behind further with every frame.
+     * Returns a copy with another limit on the number of steps of one {@code World.advance}. Time beyond the limit is
+     * dropped, together with its share of the forces' impulse; {@link World#getDroppedTime()} counts it. So a game on a
+     * slow machine slows down, and does not fall further behind with every frame.
      *
-     * @param n the greatest number of steps, at least 1
-     * @return a timestep with that limit
+     * @param n the maximum number of steps, at least 1
+     * @return a timestep with this limit
      * @throws IllegalArgumentException if n is less than 1
      */
     public Timestep withMaxSteps(int n) {
-        if (n < 1) throw Check.refused("maxSteps", ">= 1", n);
+        if (n < 1) throw Check.invalid("maxSteps", ">= 1", n);
         return new Timestep(rate, maxStep, n);
     }
 
-    /** {@return whether steps are of equal length: {@link #fixed}, not {@link #variable}} */
+    /** {@return whether all steps have the same length: true for {@link #fixed}, false for {@link #variable}} */
     public boolean isFixed() {
         return rate > 0;
     }
 
-    /** {@return the rate of fixed steps, in steps per second; 0 if steps are variable} */
+    /** {@return the number of fixed steps per second; 0 if steps are variable} */
     public int getStepsPerSecond() {
         return rate;
     }
 
-    /** {@return the length of the longest step, in seconds: exactly 1/rate if steps are fixed} */
+    /** {@return the length of the longest step, in seconds; if steps are fixed, the length of every step, 1/rate} */
     public double getMaxStep() {
         return maxStep;
     }
 
-    /** {@return the greatest number of steps of one {@code World.advance}} */
+    /** {@return the maximum number of steps of one {@code World.advance}} */
     public int getMaxSteps() {
         return maxSteps;
     }
@@ -95,7 +101,7 @@ public final class Timestep {
      * Compares all properties of two timesteps.
      *
      * @param other a timestep, or any other object
-     * @return whether the other is a timestep with the same properties
+     * @return whether the other object is a timestep with the same properties
      */
     @Override
     public boolean equals(Object other) {
@@ -111,7 +117,7 @@ public final class Timestep {
         return 31 * (31 * rate + Double.hashCode(maxStep)) + maxSteps;
     }
 
-    /** {@return a description for logs: the code that creates an equal timestep} */
+    /** {@return the code that creates an equal timestep, such as {@code Timestep.fixed(60).withMaxSteps(15)}} */
     @Override
     public String toString() {
         String steps = isFixed() ? "fixed(" + rate + ")" : "variable(" + maxStep + ")";

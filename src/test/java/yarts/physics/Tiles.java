@@ -7,8 +7,8 @@ public final class Tiles {
     /** The number of units in a tile. */
     public static final int TILE = Table.TILE;
 
-    /** The least number of units for a thread. */
-    public static final int SHARE = Stepper.LEAST * Table.TILE;
+    /** The fewest units for a thread. */
+    public static final int SHARE = Stepper.MIN_TILES * Table.TILE;
 
     private Tiles() {}
 

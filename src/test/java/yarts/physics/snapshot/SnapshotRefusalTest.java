@@ -47,9 +47,8 @@ class SnapshotRefusalTest {
 
     @Test
     void aListenerCannotSaveOrRestore() {
-        String message =
-                "a step of this world is running: until it ends, no listener, factory or other thread may step,"
-                        + " save, restore or set the world";
+        String message = "a step of this world is running: until it ends, no listener, factory or other thread"
+                + " may step, save or restore the world, or set its integrator or timestep";
         byte[] before = saved.toBytes();
         world.addBeforeStep((w, dt) -> {
             refused(IllegalStateException.class, message, () -> w.save(saved));
@@ -73,8 +72,9 @@ class SnapshotRefusalTest {
         long hash = other.stateHash();
         refused(
                 IllegalStateException.class,
-                "a unit of the snapshot is now in another world: " + b,
+                "unit 2 of the snapshot is now in another world: " + b,
                 () -> world.restore(saved));
+        assertEquals(1, b.getId());
         assertSame(other, b.getWorld());
         assertEquals(hash, other.stateHash());
         other.remove(b);
@@ -119,15 +119,52 @@ class SnapshotRefusalTest {
         }
         world.restore(saved);
         world.remove(a);
-        String message =
-                "a restore of this world is running: until it ends, no listener, factory or other thread may step,"
-                        + " save, restore or set the world";
+        String message = "a restore of this world is running: until it ends, no listener, factory or other thread"
+                + " may step, save or restore the world, or set its integrator or timestep";
         for (Runnable change : List.<Runnable>of(world::step, world::save, () -> world.restore(saved))) {
             refusedFactory(IllegalStateException.class, message, bytes, id -> {
                 change.run();
                 return new Unit(1);
             });
         }
+    }
+
+    @Test
+    void aFactoryCannotSaveIntoTheSnapshotThatIsRestored() {
+        World empty = new World(), larger = new World();
+        for (int i = 0; i < 600; i++) larger.add(new Unit(1));
+        for (World other : List.of(empty, larger)) {
+            Snapshot bytes = Snapshot.fromBytes(saved.toBytes());
+            world.restore(saved);
+            world.remove(a);
+            refusedFactory(
+                    IllegalStateException.class,
+                    "a restore from this snapshot is running: until it ends, the factory must not save into it",
+                    bytes,
+                    id -> {
+                        other.save(bytes);
+                        return new Unit(1);
+                    });
+            assertArrayEquals(saved.toBytes(), bytes.toBytes());
+            world.restore(bytes);
+            other.save(bytes);
+            assertEquals(other.size(), bytes.size());
+        }
+    }
+
+    /** Each restore creates its own units. */
+    @Test
+    void aFactoryMayRestoreAnotherWorldFromTheSameSnapshot() {
+        Snapshot bytes = Snapshot.fromBytes(saved.toBytes());
+        World outer = new World(), inner = new World();
+        outer.restore(bytes, id -> {
+            inner.restore(bytes);
+            assertThrows(IllegalStateException.class, () -> inner.save(bytes));
+            return new Unit(1);
+        });
+        assertEquals(world.stateHash(), outer.stateHash());
+        assertEquals(world.stateHash(), inner.stateHash());
+        inner.save(bytes);
     }
 
     private void refusedFactory(

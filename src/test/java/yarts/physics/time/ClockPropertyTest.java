@@ -63,7 +63,7 @@ class ClockPropertyTest {
      */
     private static void play(long total, int rate, SplittableRandom random) {
         World world = new World(Integrator.EULER, Timestep.fixed(rate));
-        int limit = rate / 4;
+        int limit = (rate + 3) / 4;
         long in = 0, run = 0, dropped = 0;
         while (in < total) {
             long r = random.nextLong();
@@ -139,6 +139,35 @@ class ClockPropertyTest {
             assertEquals(0, world.getAlpha());
             assertEquals(second, world.getTime());
         }
+    }
+
+    /** Even if nearly a whole step was waiting before the frame. */
+    @Property(tries = 1000)
+    void equalFramesOfUpToAQuarterOfASecondDropNothing(
+            @ForAll @IntRange(min = 1, max = 1000) int rate, @ForAll @From("quarters") double elapsed) {
+        for (int nanos : new int[] {0, (int) (SECOND / rate) - 1}) {
+            World world = new World(Integrator.EULER, Timestep.fixed(rate));
+            world.advance(nanos / 1e9 % 0.25);
+            for (int frame = 0; frame < 1000; frame++) world.advance(elapsed);
+            assertEquals(0, world.getDroppedTime());
+        }
+    }
+
+    @Property(tries = 1000)
+    void variableFramesOfUpToAQuarterOfASecondDropNothing(
+            @ForAll("maxSteps") double maxStep, @ForAll @From("quarters") double elapsed) {
+        World world = new World(Integrator.EULER, Timestep.variable(maxStep));
+        for (int frame = 0; frame < 10; frame++) world.advance(elapsed);
+        assertEquals(0, world.getDroppedTime());
+    }
+
+    /** Times up to 1/4 s, with the bounds of whole steps. */
+    @Provide
+    Arbitrary<Double> quarters() {
+        return Arbitraries.oneOf(
+                Arbitraries.of(0.25, 0.2, 1 / 6.0, Math.nextDown(0.25)),
+                Arbitraries.integers().between(4, 1000).map(n -> 1.0 / n),
+                Doubles.logUniform(1e-3, 0.25));
     }
 
     /** For any number of frames, also mixed with whole nanoseconds. */

@@ -34,6 +34,20 @@ class TimestepTest {
     }
 
     @Test
+    void theDefaultLimitIsTheStepsOfAQuarterOfASecondRoundedUp() {
+        int[] rates = {1, 2, 3, 4, 5, 7, 10, 20, 30, 50, 60, 144, 999_999},
+                steps = {1, 1, 1, 1, 2, 2, 3, 5, 8, 13, 15, 36, 250_000};
+        for (int i = 0; i < rates.length; i++) {
+            assertEquals(steps[i], Timestep.fixed(rates[i]).getMaxSteps(), "rate " + rates[i]);
+        }
+        double[] maxSteps = {1e9, 2, 0.25, 0.2, 0.125, 0.1, 1 / 30.0, 1 / 60.0, 1e-6};
+        int[] variable = {1, 1, 1, 2, 2, 3, 8, 15, 250_000};
+        for (int i = 0; i < maxSteps.length; i++) {
+            assertEquals(variable[i], Timestep.variable(maxSteps[i]).getMaxSteps(), "maxStep " + maxSteps[i]);
+        }
+    }
+
+    @Test
     void equalValuesAreEqualTimesteps() {
         List<Timestep> all = List.of(
                 Timestep.fixed(60),

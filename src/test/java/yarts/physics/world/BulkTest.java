@@ -74,6 +74,22 @@ class BulkTest {
         assertEquals(1e50, world.get(599).getFy());
     }
 
+    /** As the Javadoc of {@link World#copyPositions(double[], int, double)} says. */
+    @Test
+    void positionsInDoubleAtTheAlphaOfTheWorldAreThoseToDrawAt() {
+        World world = crowd(Integrator.EXACT, 600);
+        double[] xy = new double[1200];
+        for (int frame = 0; frame < 20; frame++) {
+            if (frame == 7) world.get(5).moveTo(3, 4);
+            world.advance(1 / 144.0);
+            world.copyPositions(xy, 0, world.getAlpha());
+            for (Unit unit : world) {
+                assertEquals(unit.getInterpolatedX(), xy[2 * unit.getIndex()]);
+                assertEquals(unit.getInterpolatedY(), xy[2 * unit.getIndex() + 1]);
+            }
+        }
+    }
+
     @Test
     void arraysThatAreTooShortThrowAndStayUnchanged() {
         World world = crowd(Integrator.EULER, 3);

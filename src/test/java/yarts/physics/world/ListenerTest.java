@@ -215,8 +215,8 @@ class ListenerTest {
                 String message =
                         assertThrows(IllegalStateException.class, call::run).getMessage();
                 assertEquals(
-                        "a step of this world is running: until it ends, no listener, factory or other thread may step, save,"
-                                + " restore or set the world",
+                        "a step of this world is running: until it ends, no listener, factory or other thread"
+                                + " may step, save or restore the world, or set its integrator or timestep",
                         message);
                 refused[0]++;
             }

@@ -461,8 +461,8 @@ class WorldTest {
         Runnable makeInvalidCalls = () -> {
             for (Executable each : invalidCalls) {
                 assertEquals(
-                        "a step of this world is running: until it ends, no listener, factory or other thread may step, save,"
-                                + " restore or set the world",
+                        "a step of this world is running: until it ends, no listener, factory or other thread"
+                                + " may step, save or restore the world, or set its integrator or timestep",
                         assertThrows(IllegalStateException.class, each).getMessage());
             }
         };

@@ -12,8 +12,8 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 
 /**
- * The units that every benchmark and every peer starts with: masses of 1 to 11 kg, frictions of 0 to 5 N·s/m, top
- * speeds of 5 to 6 m/s, velocity components of −5 to 5 m/s, all at (0, 0). The same numbers in every run.
+ * The initial units of every benchmark and every peer: masses of 1 to 11 kg, frictions of 0 to 5 N·s/m, top speeds of 5
+ * to 6 m/s, velocity components of −5 to 5 m/s, positions (0, 0). The numbers are the same in every run.
  */
 final class Army {
     final int size;
@@ -62,15 +62,15 @@ final class Army {
     }
 
     /**
-     * To be called before each step that nobody, or hardly anybody, is pushed before: gives every unit the velocity that it started with once
-     * in 1,000 steps. Else friction brings them to rest within the seconds of a benchmark, hours of a game.
+     * Restores the initial velocity of every unit once in 1,000 steps. Call it before each step with few forces or
+     * none: otherwise friction stops the units during a benchmark, which simulates hours of a game.
      */
     void keepMoving(World world) {
         if (world.getTick() % 1000 != 0) return;
         for (int i = 0; i < size; i++) world.get(i).setVelocity(vx[i], vy[i]);
     }
 
-    /** One in a thousand of a world's units, and at least one; scattered, and the same ones in every run. */
+    /** One in a thousand of a world's units, but at least one. They are scattered, and the same in every run. */
     static List<Unit> oneInAThousand(World world) {
         return shuffled(world.size()).stream()
                 .limit(Math.max(1, world.size() / 1000))
@@ -78,7 +78,7 @@ final class Army {
                 .collect(Collectors.toList());
     }
 
-    /** The numbers 0 to size − 1 in random order: the same one in every run. */
+    /** The numbers 0 to size − 1 in random order, which is the same in every run. */
     static List<Integer> shuffled(int size) {
         List<Integer> order = new ArrayList<>(size);
         for (int i = 0; i < size; i++) order.add(i);

@@ -6,7 +6,7 @@ import com.artemis.WorldConfigurationBuilder;
 import com.artemis.annotations.All;
 import com.artemis.systems.IteratingSystem;
 
-/** An entity system: one system pushes all entities, another one moves them. */
+/** artemis-odb, an entity system: one system applies a force to all entities, another moves them. */
 final class Artemis implements Peer {
     private final World world = new World(
             new WorldConfigurationBuilder().with(new Push(), new Movement()).build());

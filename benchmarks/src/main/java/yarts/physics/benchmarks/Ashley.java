@@ -8,7 +8,7 @@ import com.badlogic.ashley.systems.IteratingSystem;
 import java.util.ArrayList;
 import java.util.List;
 
-/** An entity system for libGDX: one system pushes all entities, another one moves them. */
+/** Ashley, an entity system for libGDX: one system applies a force to all entities, another moves them. */
 final class Ashley implements Peer {
     private static final ComponentMapper<Parts.Position> POSITION = ComponentMapper.getFor(Parts.Position.class);
     private static final ComponentMapper<Parts.Velocity> VELOCITY = ComponentMapper.getFor(Parts.Velocity.class);

@@ -9,14 +9,14 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 
 /**
- * Ten changes and a step without forces, beside a step alone. All units are moving; the changes are scattered over the
- * world. One unit in fifty has so much friction (f·dt/m = 1) that its coefficients take a full exponential.
+ * Ten changes and a step without forces, compared with a step alone. All units move; the changes are scattered over the
+ * world. One unit in fifty has so much friction (f·dt/m = 1) that its coefficients require a full exponential.
  */
 public class ChangesBenchmark extends Workload {
     static final int WORLD = 5_000; // units
     private static final int CHANGES = 10;
 
-    /** What happens before a step, ten times. */
+    /** The change that is made ten times before a step. */
     public enum Change {
         NONE("none"),
         SET_FRICTION("`setFriction`"),
@@ -53,7 +53,7 @@ public class ChangesBenchmark extends Workload {
         collect();
     }
 
-    /** Removes the units that the next call is to add, or adds those that the last one removed; not measured. */
+    /** Removes the units that the next call adds, or adds those that the last call removed; not measured. */
     @Setup(Level.Invocation)
     public void prepare() {
         tick++;
@@ -98,7 +98,7 @@ public class ChangesBenchmark extends Workload {
         world.remove(outside[k]);
     }
 
-    /** An index in the k-th tenth of the world, another one in each tick. */
+    /** An index in the k-th tenth of the world, which differs in each tick. */
     private int scattered(int k) {
         return k * tenth() + tick % tenth();
     }

@@ -6,7 +6,7 @@ import org.dyn4j.geometry.Mass;
 import org.dyn4j.geometry.Vector2;
 import org.dyn4j.world.World;
 
-/** Bodies without a shape, so that nothing can collide. */
+/** dyn4j, with bodies without shapes, so that nothing can collide. */
 final class Dyn4j implements Peer {
     private static final Vector2 FORCE = new Vector2(Workload.FX, Workload.FY);
 

@@ -10,14 +10,14 @@ import yarts.physics.Snapshot;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** What else a game does in a frame, by EULER: time, drawing, and the coming and going of units. */
+/** Other work of a game in a frame, by EULER: time, drawing, adding and removing units, snapshots. */
 public class GameBenchmark extends Workload {
-    /** At 144 frames and 60 steps a second, this many frames are that many steps. */
+    /** At 144 frames and 60 steps per second, 12 frames take 5 steps. */
     static final int FRAMES = 12, STEPS = 5;
 
     private static final double FRAME = 1 / 144.0; // s
 
-    /** The steps that are repeated by a rollback. */
+    /** The number of steps that a rollback repeats. */
     private static final int ROLLED_BACK = 8;
 
     @Param({"1000", "10000", "100000", "1000000"})
@@ -48,7 +48,7 @@ public class GameBenchmark extends Workload {
         collect();
     }
 
-    /** A force on every unit in every frame, held over its steps and in part carried to later ones. */
+    /** A force on every unit in every frame; it is distributed over the steps of this frame and of later ones. */
     @Benchmark
     public void advance() {
         for (int i = 0; i < FRAMES; i++) {
@@ -57,14 +57,14 @@ public class GameBenchmark extends Workload {
         }
     }
 
-    /** The same at 60 frames a second: a step in every frame, and half of the frame's forces wait for the next. */
+    /** The same at 60 frames per second: a step in every frame, and half of the impulse waits for the next frame. */
     @Benchmark
     public void advanceAt60() {
         push(world);
         world.advance(DT);
     }
 
-    /** As many forces and steps as in advance. */
+    /** The same number of forces and steps as in advance. */
     @Benchmark
     public void steps() {
         for (int i = 0; i < FRAMES; i++) {
@@ -73,7 +73,7 @@ public class GameBenchmark extends Workload {
         }
     }
 
-    /** As advance, but with a force on one unit, not to measure the applying of forces. */
+    /** As advance, but with a force on only one unit, to exclude the cost of applying forces. */
     @Benchmark
     public void advanceAlone() {
         for (int i = 0; i < FRAMES; i++) {
@@ -82,7 +82,7 @@ public class GameBenchmark extends Workload {
         }
     }
 
-    /** As many forces and steps as in advanceAlone. */
+    /** The same number of forces and steps as in advanceAlone. */
     @Benchmark
     public void stepsAlone() {
         for (int i = 0; i < FRAMES; i++) {
@@ -95,7 +95,7 @@ public class GameBenchmark extends Workload {
         return frame * STEPS / FRAMES != (frame + 1) * STEPS / FRAMES;
     }
 
-    /** A step, and before it one in a hundred units dies and another one is born. */
+    /** A step; before it, one unit in a hundred is removed and another is created and added. */
     @Benchmark
     public void churn() {
         for (int i = 0; i < units / 100; i++) {
@@ -106,7 +106,7 @@ public class GameBenchmark extends Workload {
         world.step(DT);
     }
 
-    /** All units leave the world, in random order, and come back; on a heap that the warm-up has been through. */
+    /** Removes all units in random order, then adds them again, with a fixed heap size that the warm-up has used. */
     @Benchmark
     @Fork(
             value = 3,
@@ -116,13 +116,13 @@ public class GameBenchmark extends Workload {
         for (Unit unit : shuffled) world.add(unit);
     }
 
-    /** Units that are in no world, one after another. */
+    /** Creates units outside a world, one after another. */
     @Benchmark
-    public void create(Blackhole sink) {
-        for (int i = 0; i < units; i++) sink.consume(new Unit(army.mass[i]));
+    public void create(Blackhole blackhole) {
+        for (int i = 0; i < units; i++) blackhole.consume(new Unit(army.mass[i]));
     }
 
-    /** Removes as many units as there are, in random order, and adds a new one after each. */
+    /** Removes all units in random order, and adds a new one after each removal. */
     @Benchmark
     public void replace() {
         for (int i = 0; i < units; i++) {
@@ -131,19 +131,19 @@ public class GameBenchmark extends Workload {
         }
     }
 
-    /** The whole world into a snapshot. */
+    /** Saves the whole world into a snapshot. */
     @Benchmark
     public void save() {
         world.save(snapshot);
     }
 
-    /** And back. */
+    /** Restores the whole world from a snapshot. */
     @Benchmark
     public void restore() {
         world.restore(snapshot);
     }
 
-    /** What a lockstep game with rollback does in a frame: save, 8 steps with forces on all units, restore, find. */
+    /** A frame of a game with rollback: save, 8 steps with forces on all units, restore, find. */
     @Benchmark
     public Unit rollback() {
         world.save(snapshot);
@@ -168,13 +168,13 @@ public class GameBenchmark extends Workload {
         return world.find(id);
     }
 
-    /** A hash of all of the world. */
+    /** A hash of the whole world. */
     @Benchmark
     public long stateHash() {
         return world.stateHash();
     }
 
-    /** Every unit's interpolated position into a renderer's buffer, unit by unit. */
+    /** Copies the interpolated positions to the buffer of a renderer, unit by unit. */
     @Benchmark
     public float[] getters() {
         int i = 0;
@@ -199,7 +199,7 @@ public class GameBenchmark extends Workload {
         return inFull;
     }
 
-    /** Every unit's velocity, in one call. */
+    /** Copies all velocities in one call. */
     @Benchmark
     public double[] copyVelocities() {
         world.copyVelocities(inFull, 0);

@@ -3,11 +3,11 @@ package yarts.physics.benchmarks;
 import java.util.Random;
 import java.util.function.Supplier;
 
-/** Makes objects as a running game does: between others, most of which die. */
+/** Creates objects as in a running game: between other objects, most of which become garbage. */
 final class Garbage {
     private static final Random RANDOM = new Random(5);
 
-    /** Some of what is left behind; others overwrite it. */
+    /** Other objects that are alive until the next ones overwrite them. */
     private static final Object[] LEFT = new Object[64];
 
     private Garbage() {}

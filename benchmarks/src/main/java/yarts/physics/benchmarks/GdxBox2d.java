@@ -8,13 +8,13 @@ import com.badlogic.gdx.physics.box2d.MassData;
 import com.badlogic.gdx.physics.box2d.World;
 import com.badlogic.gdx.utils.GdxNativesLoader;
 
-/** libGDX's Box2D, which is native: bodies without a shape, so that nothing can collide. */
+/** The native Box2D of libGDX, with bodies without shapes, so that nothing can collide. */
 final class GdxBox2d implements Peer {
     private final World world;
     private final Body[] bodies;
 
     GdxBox2d(Army army) {
-        GdxNativesLoader.load(); // what a backend does in a game
+        GdxNativesLoader.load(); // as a backend does in a game
         Box2D.init();
         world = new World(new Vector2(), false);
         world.setContinuousPhysics(false);

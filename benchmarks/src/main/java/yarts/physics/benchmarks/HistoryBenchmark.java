@@ -8,8 +8,8 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 
 /**
- * As {@link StepBenchmark#both}, by EULER, in a JVM that has stepped three units before, for as long as a player may stay
- * in a menu. HotSpot, which learns from what it sees, must not take it that worlds are small.
+ * As {@link StepBenchmark#both}, by EULER, in a JVM that has stepped only three units for an hour of a game, as in a
+ * menu. HotSpot optimises by past runs; it must not assume that all worlds are small.
  */
 public class HistoryBenchmark extends Workload {
     private static final int HOUR = 60 * 60 * 60; // steps

@@ -7,7 +7,7 @@ import org.jbox2d.dynamics.BodyDef;
 import org.jbox2d.dynamics.BodyType;
 import org.jbox2d.dynamics.World;
 
-/** Bodies without a shape, so that nothing can collide. */
+/** JBox2D, with bodies without shapes, so that nothing can collide. */
 final class JBox2d implements Peer {
     private static final Vec2 FORCE = new Vec2((float) Workload.FX, (float) Workload.FY);
 

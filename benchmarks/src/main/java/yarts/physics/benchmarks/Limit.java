@@ -12,12 +12,21 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 
 /**
- * Seven numbers for each size of world, in ns per unit, to compare with those of plain loops in C: a step alone
- * ("cached"), a step with another dt than the one before ("computed"), a force on one unit in a thousand and a step
- * ("sparse"), a force on every unit through its handle ("force"), that and a step ("both"), the same with one call for all
- * forces ("bulk"), and a step of a world at rest ("rest"). Compare "both" with a C program that does all of a step's work
- * (lag, rest, an exact cap, previous positions). Medians of nine rounds, each of about eight million units. No
- * JMH: it prints within seconds, so that it and the other program can take turns.
+ * Measures seven numbers for each size of world, in ns per unit, for a comparison with plain loops in C:
+ *
+ * <ul>
+ *   <li>"cached": a step alone
+ *   <li>"computed": a step with another dt than the step before
+ *   <li>"sparse": a force on one unit in a thousand, and a step
+ *   <li>"force": a force on every unit, by {@code applyForce}
+ *   <li>"both": the same and a step
+ *   <li>"bulk": all forces in one call, and a step
+ *   <li>"rest": a step of a world at rest
+ * </ul>
+ *
+ * <p>Compare "both" with a C program that does all work of a step (lag, rest, an exact cap, previous positions). The
+ * numbers are medians of nine rounds, each of about eight million units. JMH is not used: this program prints within
+ * seconds, so it can alternate with the other program.
  */
 final class Limit {
     private static final int ROUNDS = 9;
@@ -26,12 +35,12 @@ final class Limit {
 
     private Limit() {}
 
-    /** Measures. The second argument may name an integrator other than EULER; the rest, the numbers to print. */
+    /** Measures. The second argument may name an integrator (default: EULER), the others the numbers to print. */
     static void main(String[] args) {
         Integrator integrator =
                 args.length > 1 ? Integrator.valueOf(args[1].toUpperCase(Locale.ROOT)) : Integrator.EULER;
         Set<String> wanted = args.length > 2 ? Set.of(Arrays.copyOfRange(args, 2, args.length)) : Set.of();
-        measure(integrator, 10_000, Set.of()); // for the compiler, which sees every loop before it is measured
+        measure(integrator, 10_000, Set.of()); // warm-up: every loop is compiled before it is measured
         for (int units : new int[] {1_000, 10_000, 100_000, 1_000_000}) {
             System.out.println(measure(integrator, units, wanted));
         }
@@ -69,7 +78,7 @@ final class Limit {
         for (int r = -WARM_UP; r < ROUNDS; r++) {
             for (String name : works.keySet()) {
                 ns.get(name)[Math.max(r, 0)] = time(units, works.get(name));
-                world.step(0); // discards the forces that wait, and the next step is as those measured
+                world.step(0); // discards forces; then one step as in the measurement
                 world.step(DT);
             }
         }
@@ -83,7 +92,7 @@ final class Limit {
         world.step(dt);
     }
 
-    /** Runs work on all units again and again; returns ns per unit. */
+    /** Repeats work on all units; returns ns per unit. */
     private static double time(int units, IntConsumer work) {
         int times = Math.max(8, 8_000_000 / units);
         long start = System.nanoTime();

@@ -12,7 +12,9 @@ import org.openjdk.jmh.annotations.Warmup;
 import yarts.physics.Integrator;
 import yarts.physics.World;
 
-/** How many units go into a frame: a force on each, in one call, and a step; up to ten million, on one thread and on two. */
+/**
+ * The time of a frame with up to ten million units, on one and two threads: a force on each in one call, and a step.
+ */
 @Fork(value = 1, jvmArgs = "-Xmx6g")
 @Warmup(iterations = 3, time = 500, timeUnit = TimeUnit.MILLISECONDS)
 @Measurement(iterations = 7, time = 500, timeUnit = TimeUnit.MILLISECONDS)

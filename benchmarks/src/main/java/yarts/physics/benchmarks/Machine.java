@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 
-/** What the benchmarks ran on. JMH's JSON has the JVM, and the flags of each benchmark. */
+/** The machine on which the benchmarks ran. The JSON of JMH contains the JVM and the flags of each benchmark. */
 final class Machine {
     private Machine() {}
 
@@ -23,7 +23,7 @@ final class Machine {
                 "");
     }
 
-    /** The JVM tells no more of the CPU than its architecture; the operating system does. */
+    /** The CPU from the operating system, because the JVM knows only its architecture. */
     private static String cpu() throws IOException {
         Path linux = Path.of("/proc/cpuinfo");
         if (Files.isReadable(linux)) {

@@ -18,21 +18,22 @@ import org.openjdk.jmh.runner.options.TimeValue;
  * Runs and reports the benchmarks, from the root of the checkout.
  *
  * <pre>{@code
- * java -jar benchmarks/target/benchmarks.jar all     everything; writes benchmarks/results/<os>-<cpu>-jdk<version>
+ * java -jar benchmarks/target/benchmarks.jar all     all benchmarks; writes benchmarks/results/<os>-<cpu>-jdk<version>
  * java -jar benchmarks/target/benchmarks.jar quick   10,000 units, briefly; writes to benchmarks/target
- * java -jar benchmarks/target/benchmarks.jar report  benchmarks/results into docs/benchmarks.md and its plot
- * java -jar benchmarks/target/benchmarks.jar limit   seven numbers to compare with those of a loop in C
+ * java -jar benchmarks/target/benchmarks.jar report  writes benchmarks/results into docs/benchmarks.md and its plot
+ * java -jar benchmarks/target/benchmarks.jar limit   seven numbers for a comparison with a loop in C
  * }</pre>
  *
- * <p>An integrator and some of the numbers may follow {@code limit}: {@code limit euler both}.
+ * <p>After {@code limit}, an integrator and names of numbers may follow: {@code limit euler both}.
  *
- * <p>JMH's options may follow {@code all} and {@code quick}. Anything else is JMH's own: {@code -h} lists its options.
+ * <p>After {@code all} and {@code quick}, options of JMH may follow. All other arguments are passed to JMH; {@code -h}
+ * lists its options.
  */
 public final class Main {
     private static final Path RESULTS = Path.of("benchmarks", "results");
     private static final Path TARGET = Path.of("benchmarks", "target");
 
-    /** Where this machine has its JVM is nobody's business. */
+    /** The folder of the JVM, which is removed from results that are published. */
     private static final String FOLDER_OF_JVM = "(\"jvm\" : \")[^\"]*[/\\\\](?=[^\"]*\")";
 
     private Main() {}
@@ -82,7 +83,7 @@ public final class Main {
 
     private static void run(Path name, ChainedOptionsBuilder options) throws Exception {
         if (!Files.isDirectory(TARGET)) {
-            throw new IllegalStateException("run this from the root of the checkout: there is no " + TARGET);
+            throw new IllegalStateException("run this in the root of the checkout: there is no " + TARGET);
         }
         Files.createDirectories(name.getParent());
         new Runner(options.shouldFailOnError(true)

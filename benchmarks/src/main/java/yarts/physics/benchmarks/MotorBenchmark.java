@@ -8,11 +8,17 @@ import yarts.physics.Integrator;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** What motors cost: a force on every unit and a step, without and with a motor on every unit, beside the speed cap alone. */
+/**
+ * The cost of motors: steps without motors and with a motor on every unit, compared with the cost of the speed cap
+ * alone.
+ */
 public class MotorBenchmark extends Workload {
     private static final int TILE = 512; // rows
 
-    /** Ordered velocity components of −8 to 8 m/s, and forces of 0 to 30 N: some units reach theirs, and some are capped. */
+    /**
+     * Ordered velocity components of −8 to 8 m/s, forces of 0 to 30 N: some units reach their order, and some are
+     * capped.
+     */
     private static final double SPEED = 8, FORCE = 30;
 
     @Param({"1000", "10000", "100000", "1000000"})
@@ -77,7 +83,7 @@ public class MotorBenchmark extends Workload {
         motored.step(DT);
     }
 
-    /** Every unit stands, held by its brake: the world is asleep. */
+    /** Every unit stands with its brake on, so all tiles are asleep. */
     @Benchmark
     public void parked() {
         parked.step(DT);
@@ -89,7 +95,7 @@ public class MotorBenchmark extends Workload {
         for (Unit unit : motored) unit.setMotor(unit.getMotorVy(), unit.getMotorVx(), unit.getMotorForce());
     }
 
-    /** What the speed cap costs in a step of the library: its loop, over arrays and tiles like the library's. */
+    /** The cost of the speed cap in a step: the loop of the library, over similar arrays and tiles. */
     @Benchmark
     public void cap() {
         for (int start = 0; start < units; start += TILE) cap(vx, vy, cap, start, Math.min(start + TILE, units));

@@ -5,7 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 
-/** No library: a list of objects with double fields, each of which steps itself. */
+/** No library: a list of objects with double fields; each object steps itself. */
 final class ObjectList implements Peer {
     private final List<Soldier> inOrder = new ArrayList<>();
     private final List<Soldier> list;
@@ -17,17 +17,17 @@ final class ObjectList implements Peer {
             made[i] = shuffle ? Garbage.among(() -> new Soldier(army, j)) : new Soldier(army, j);
         }
         Collections.addAll(inOrder, made);
-        Workload.collect(); // before the list is shuffled: a collector that copies would follow the list
+        Workload.collect(); // before the list is shuffled: a copying collector would follow its order
         list = new ArrayList<>(inOrder);
         if (shuffle) Collections.shuffle(list, new Random(4));
     }
 
-    /** Objects that lie on the heap as they do in the list. */
+    /** Objects whose order on the heap is that of the list. */
     static Peer inOrder(Army army) {
         return new ObjectList(army, false);
     }
 
-    /** Objects made among garbage, in a list that has been shuffled since. */
+    /** Objects that were created among garbage, in a list that was shuffled afterwards. */
     static Peer shuffled(Army army) {
         return new ObjectList(army, true);
     }

@@ -1,10 +1,10 @@
 package yarts.physics.benchmarks;
 
-/** A unit's state as components of an entity, and its movement, for both entity systems. */
+/** The state of a unit as components of an entity, and its movement, for both entity systems. */
 final class Parts {
     private Parts() {}
 
-    /** A component in the eyes of Ashley and of artemis-odb, which makes its own. */
+    /** A component for Ashley and for artemis-odb, which creates its components itself. */
     public abstract static class Part extends com.artemis.Component implements com.badlogic.ashley.core.Component {}
 
     public static final class Position extends Part {

@@ -1,8 +1,8 @@
 package yarts.physics.benchmarks;
 
-/** An army in another library, or in none. */
+/** An army in another library, or without one. */
 interface Peer {
-    /** A force of (FX, FY) on every unit, and a step of DT. */
+    /** Applies the force (FX, FY) to every unit, and steps by DT. */
     void step();
 
     double x(int i);

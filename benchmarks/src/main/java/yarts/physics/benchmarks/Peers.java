@@ -5,7 +5,7 @@ import yarts.physics.Integrator;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** The peers, and what each of them does of our work. */
+/** The peers: libraries for comparison, each with the features that it lacks. */
 public enum Peers {
     OBJECT_LIST("list of objects", Kind.SAME, ObjectList::inOrder),
     OBJECT_LIST_SHUFFLED("list of objects, shuffled", Kind.SAME, ObjectList::shuffled),
@@ -18,7 +18,7 @@ public enum Peers {
     private enum Kind {
         /** The arithmetic of EULER, written by hand. */
         SAME("", 1e-9),
-        /** A physics engine: no top speed for each unit; damps after it pushes, and moves by the new velocity. */
+        /** A physics engine: no top speed per unit. It applies friction after forces, and moves by the new velocity. */
         DOUBLE_ENGINE("no top speed per unit", 1e-9),
         FLOAT_ENGINE("no top speed per unit; state in `float`", 1e-4);
 
@@ -44,7 +44,7 @@ public enum Peers {
         this.maker = maker;
     }
 
-    /** What it cannot do, or nothing. */
+    /** The features that it lacks; empty if it has all. */
     String lacks() {
         return kind.lacks;
     }
@@ -54,14 +54,14 @@ public enum Peers {
     }
 
     /**
-     * Runs 1,000 of the units for two seconds there and here, from the same start.
+     * Compares the peer with this library: both step 1,000 of the units for two seconds from the same state.
      *
-     * <p>What tells an engine's velocity from ours: it damps the push of the step as well, by which it comes to lag up
-     * to h|F| behind (h = dt/m), and Box2D divides by 1 + z (z = f h) rather than multiply by 1 − z, by which the way to
-     * the terminal speed differs by up to h|f v − F|. Both grow with n z over n steps, and are nothing without
-     * friction. Its position is ahead by dt (v − v at the start), since it moves by the new velocity.
+     * <p>The velocity of an engine differs for two reasons, with h = dt/m and z = f h. It also applies friction to the
+     * velocity from the force of this step, a difference of up to h|F|. And Box2D divides by 1 + z instead of
+     * multiplying by 1 − z, a difference of up to h|f v − F|. Both grow with n z over n steps, and are 0 without
+     * friction. The position of an engine is ahead by dt (v − v at the start), because it moves by the new velocity.
      *
-     * @throws IllegalStateException if they do not agree
+     * @throws IllegalStateException if the differences are greater
      */
     void check() {
         Army army = kind == Kind.SAME ? Army.of(CHECKED) : Army.of(CHECKED).uncapped();

@@ -19,7 +19,7 @@ import yarts.physics.Integrator;
 
 /** Draws the time per unit against the number of units: the library's and its peers'. */
 final class Plot {
-    /** Okabe and Ito's colours, which the colour-blind tell apart too: one for each line of the contest, in order. */
+    /** The colours of Okabe and Ito, which colour-blind readers can distinguish: one for each line, in order. */
     private static final List<Color> COLOURS = List.of(
             new Color(0x0072B2),
             new Color(0x0072B2),
@@ -68,7 +68,7 @@ final class Plot {
         styler.setAxisTitleFont(font(Font.PLAIN, 16)).setAxisTickLabelsFont(font(Font.PLAIN, 16));
 
         List<Report.Line> lines = Report.contest();
-        for (int k = lines.size() - 1; k >= 0; k--) { // from the top down, as the curves lie
+        for (int k = lines.size() - 1; k >= 0; k--) { // the legend in the order of the curves, from the top
             Report.Line line = lines.get(k);
             int[] sizes = IntStream.of(results.sizes())
                     .filter(n -> line.in(results, n).isPresent())

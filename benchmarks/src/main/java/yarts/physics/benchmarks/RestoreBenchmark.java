@@ -13,8 +13,8 @@ import yarts.physics.Snapshot;
 import yarts.physics.World;
 
 /**
- * A single restore, by EULER, in a JVM that has restored 400 times before: a game that began to roll back some seconds
- * ago. HotSpot has not finished by then; {@link GameBenchmark#restore} is what it comes to later.
+ * A single restore, by EULER, in a JVM that has restored 400 times before, as in a game with rollback that has run for
+ * some seconds. HotSpot has not compiled everything by then; {@link GameBenchmark#restore} measures the final speed.
  */
 @BenchmarkMode(Mode.SingleShotTime)
 @Warmup(iterations = 0)

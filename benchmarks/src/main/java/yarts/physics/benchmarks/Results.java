@@ -16,9 +16,9 @@ import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 
-/** The figures of a file of JMH's JSON, for a unit and a step. */
+/** The results in a JSON file of JMH, per unit and step. */
 final class Results {
-    /** Steps in a call, where it is not one. */
+    /** The number of steps in a call, if it is not one. */
     private static final Map<String, Integer> STEPS = Stream.of("advance", "steps", "advanceAlone", "stepsAlone")
             .collect(Collectors.toMap(name -> "GameBenchmark." + name, name -> GameBenchmark.STEPS));
 
@@ -67,7 +67,7 @@ final class Results {
                 bytes / calls);
     }
 
-    /** An array for each fork, of a number for each iteration. */
+    /** All measurements: the JSON has an array for each fork, with a number for each iteration. */
     private static DoubleStream measurements(JsonObject metric) {
         List<Double> all = new ArrayList<>();
         for (JsonElement fork : metric.getAsJsonArray("rawData")) {
@@ -83,7 +83,7 @@ final class Results {
         return sorted[i] + (at - i) * (sorted[Math.min(i + 1, sorted.length - 1)] - sorted[i]);
     }
 
-    /** The row of a benchmark that has these parameters, given as name, value, name, value. */
+    /** The row of a benchmark with these parameters: name, value, name, value and so on. */
     Optional<Row> find(String benchmark, int units, String... params) {
         return rows.stream()
                 .filter(row -> row.benchmark.equals(benchmark) && row.units() == units)
@@ -96,7 +96,7 @@ final class Results {
                 .findFirst();
     }
 
-    /** The numbers of units that were measured by benchmarks that are measured with several. */
+    /** The numbers of units in the results of all benchmarks, except ChangesBenchmark, which has only one number. */
     int[] sizes() {
         return rows.stream()
                 .filter(row -> !row.benchmark.startsWith("ChangesBenchmark."))
@@ -115,7 +115,7 @@ final class Results {
         return "JDK " + name().replaceFirst(".*-jdk", "");
     }
 
-    /** What the benchmarks ran on. */
+    /** A description of the machine on which the benchmarks ran. */
     String machine() throws IOException {
         return Files.readString(file.resolveSibling(name() + ".txt"));
     }

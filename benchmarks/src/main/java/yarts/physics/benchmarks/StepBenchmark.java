@@ -13,7 +13,7 @@ import yarts.physics.Integrator;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** A step of a world, by each integrator, and the forces before it. */
+/** A step of a world by each integrator, and the forces before it. */
 public class StepBenchmark extends Workload {
     private static final int TILE = 512; // rows
 
@@ -60,33 +60,33 @@ public class StepBenchmark extends Workload {
         for (Unit unit : handles) unit.applyForce(FX, FY);
     }
 
-    /** The same, by the world's iterator. */
+    /** The same, with the iterator of the world. */
     @Benchmark
     public void forceByIterator() {
         push(world);
     }
 
-    /** As force, after a step, as in a game: the step is not measured, but has used the caches. */
+    /** As force, after a step, as in a game. The step is not measured, but its data is in the caches. */
     @Benchmark
     public void forceAfterStep(Stepped stepped) {
         force();
     }
 
-    /** What a game does: a force on every unit, and a step. */
+    /** The usual work of a game: a force on every unit, and a step. */
     @Benchmark
     public void both() {
         push(world);
         world.step(DT);
     }
 
-    /** The same, and all forces in one call. */
+    /** The same, with all forces in one call. */
     @Benchmark
     public void bulk() {
         world.applyForces(forces, 0);
         world.step(DT);
     }
 
-    /** A force on one unit in a thousand, and a step. All are moving. */
+    /** A force on one unit in a thousand, and a step. All units move. */
     @Benchmark
     public void oneInAThousand() {
         army.keepMoving(world);
@@ -94,21 +94,24 @@ public class StepBenchmark extends Workload {
         world.step(DT);
     }
 
-    /** A force on two units in every tile, and a step. All forces are integrated, but few are applied. */
+    /**
+     * A force on two units in every tile, and a step. Few forces are applied, but the step integrates those of all
+     * units.
+     */
     @Benchmark
     public void twoInEachTile() {
         push(twoInEachTile);
         world.step(DT);
     }
 
-    /** No forces. */
+    /** A step without forces. */
     @Benchmark
     public void step() {
         army.keepMoving(world);
         world.step(DT);
     }
 
-    /** No forces, and dt is another one in every step, so that nothing can be kept from the step before. */
+    /** A step without forces, with another dt each time, so that all coefficients are computed again. */
     @Benchmark
     public void changingDt() {
         army.keepMoving(world);

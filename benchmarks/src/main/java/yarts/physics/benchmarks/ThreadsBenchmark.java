@@ -8,7 +8,7 @@ import org.openjdk.jmh.annotations.TearDown;
 import yarts.physics.Integrator;
 import yarts.physics.World;
 
-/** A step alone, by EULER, on one thread and on several: worth it only if the machine has as many. */
+/** A step alone, by EULER, on one thread and on two; meaningful only if the machine has two. */
 public class ThreadsBenchmark extends Workload {
     @Param({"1000", "10000", "100000", "1000000"})
     public int units;

@@ -12,7 +12,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** Units that could be slow to step: at rest, at their top speed here and there, scattered over the heap. */
+/** Units that could be slow to step: at rest, some at their top speed, scattered over the heap. */
 public class UnitsBenchmark extends Workload {
     @Param({"1000", "10000", "100000", "1000000"})
     public int units;
@@ -31,24 +31,24 @@ public class UnitsBenchmark extends Workload {
             resting.add(new Unit(1).setFriction(1));
             uncapped.add(new Unit(1).setVelocity(2 * FX, 2 * FY));
             Unit perhaps = halfCapped.add(new Unit(1).setMaxSpeed(random.nextBoolean() ? 5 : Double.POSITIVE_INFINITY));
-            perhaps.setVelocity(2 * FX, 2 * FY); // above 5 m/s: cut to it, and kept at it by the force
+            perhaps.setVelocity(2 * FX, 2 * FY); // above 5 m/s: reduced to it; the force keeps it there
         }
         scatter();
     }
 
-    /** Units made in random order, among garbage: neighbours in the world are not neighbours on the heap. */
+    /** Creates units in random order, among garbage: neighbours in the world are not neighbours on the heap. */
     private void scatter() {
         Army army = Army.of(units);
         Unit[] made = new Unit[units];
         for (int i : Army.shuffled(units)) made[i] = Garbage.among(() -> army.unit(i));
         for (Unit unit : made) scattered.add(unit);
-        collect(); // before the list is shuffled: a collector that copies would follow the list
+        collect(); // before the list is shuffled: a copying collector would follow its order
         inOrder = new ArrayList<>(scattered.units());
         shuffled = new ArrayList<>(inOrder);
         Collections.shuffle(shuffled, new Random(4));
     }
 
-    /** A step, all units at rest and no forces: the world is asleep. */
+    /** A step with all units at rest and no forces: all tiles are asleep. */
     @Benchmark
     public void atRest() {
         resting.step(DT);
@@ -66,14 +66,14 @@ public class UnitsBenchmark extends Workload {
         both(uncapped);
     }
 
-    /** A force on every unit and a step, on a shuffled heap; the forces in the world's order. */
+    /** A force on every unit and a step, on a shuffled heap, with the forces in the order of the world. */
     @Benchmark
     public void scattered() {
         push(inOrder);
         scattered.step(DT);
     }
 
-    /** A force on every unit and a step, on a shuffled heap; the forces in the order of a shuffled list. */
+    /** A force on every unit and a step, on a shuffled heap, with the forces in the order of a shuffled list. */
     @Benchmark
     public void shuffled() {
         push(shuffled);

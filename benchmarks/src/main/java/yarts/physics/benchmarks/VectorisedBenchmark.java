@@ -8,11 +8,11 @@ import yarts.physics.Integrator;
 import yarts.physics.World;
 
 /**
- * The same steps in a JVM that vectorises loops and in one that is told not to. The library's hot loops are written so
- * that HotSpot vectorises them; if a change stops that, the scores of the two no longer differ.
+ * The same steps in a JVM with vectorisation and in one without. The hot loops of the library have a form that HotSpot
+ * vectorises; if a change prevents this, the two scores no longer differ.
  */
 public class VectorisedBenchmark extends Workload {
-    /** Within the caches: memory does not hide the difference. */
+    /** Small enough for the caches, so that memory does not hide the difference. */
     @Param("10000")
     public int units;
 

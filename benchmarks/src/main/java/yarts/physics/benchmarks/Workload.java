@@ -12,8 +12,8 @@ import org.openjdk.jmh.annotations.Warmup;
 import yarts.physics.Unit;
 
 /**
- * How every benchmark is measured. A score is the nanoseconds of one call, for all units; {@link Results} divides it by
- * the number of units, and of steps if a call runs more than one.
+ * The settings of every benchmark. A score is the time of one call for all units, in ns; {@link Results} divides it by
+ * the number of units, and by the number of steps if a call runs several.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -28,14 +28,14 @@ public abstract class Workload {
     static final double FX = 3, FY = -2;
 
     /**
-     * Moves what lives together, in the order in which it lies, as a game's first collections do. Units fresh from their
-     * constructors lie farther apart.
+     * Runs the garbage collector, which moves live objects together, as the first collections of a game do. New units
+     * are farther apart in memory.
      */
     static void collect() {
         System.gc();
     }
 
-    /** The forces on n units, as a world takes them in one call. */
+    /** The forces on n units, for {@code World.applyForces}. */
     static double[] forces(int n) {
         double[] xy = new double[2 * n];
         for (int i = 0; i < n; i++) {
