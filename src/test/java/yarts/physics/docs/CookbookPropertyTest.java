@@ -2,7 +2,6 @@ package yarts.physics.docs;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
@@ -36,39 +35,8 @@ class CookbookPropertyTest {
     }
 
     @Provide
-    Arbitrary<Double> frictions() {
-        return Arbitraries.oneOf(Doubles.logUniform(1e-6, 1e6), Arbitraries.just(0.0));
-    }
-
-    @Provide
-    Arbitrary<Double> anySpeed() {
-        return Doubles.signedLogUniform(1e-140, 1e140);
-    }
-
-    @Provide
     Arbitrary<Double> stiffness() {
         return Doubles.logUniform(0.05, 1e3);
-    }
-
-    /** A rule that slows a unit after a step. */
-    private interface Damping {
-        void slow(Unit unit, double dt);
-    }
-
-    private static Damping grip(double heading, double rate) {
-        return (unit, dt) -> {
-            double hx = StrictMath.cos(heading), hy = StrictMath.sin(heading);
-            double k = StrictMath.exp(-rate * dt);
-            double along = (1 - k) * (unit.getVx() * hx + unit.getVy() * hy);
-            unit.setVelocity(k * unit.getVx() + along * hx, k * unit.getVy() + along * hy);
-        };
-    }
-
-    private static Damping quadratic(double c) {
-        return (unit, dt) -> {
-            double factor = 1 / (1 + c * unit.getSpeed() * dt / unit.getMass());
-            unit.setVelocity(factor * unit.getVx(), factor * unit.getVy());
-        };
     }
 
     private static World world(Unit unit, Integrator integrator, StepListener before, StepListener after) {
@@ -80,10 +48,6 @@ class CookbookPropertyTest {
     }
 
     private static final StepListener NOTHING = (world, dt) -> {};
-
-    private static World damped(Unit unit, Integrator integrator, Damping damping) {
-        return world(unit, integrator, NOTHING, (w, dt) -> damping.slow(unit, dt));
-    }
 
     // Motors
 
@@ -366,141 +330,6 @@ class CookbookPropertyTest {
         double slack = decay * dt * dt / 8 + 1e-9;
         assertEquals(way * Math.cos(bearing), hit.getX() - other.getX(), slack);
         assertEquals(way * Math.sin(bearing), hit.getY() - other.getY(), slack);
-    }
-
-    // Other frictions
-
-    /** Along the heading it rolls on, across it slides for e^−rt; and the library's friction before or after is the same. */
-    @Property
-    void gripKeepsTheMotionAlongTheHeadingAndTheOrderOfFrictionsDoesNotMatter(
-            @ForAll Integrator integrator,
-            @ForAll @DoubleRange(min = -4, max = 4) double heading,
-            @ForAll("frictions") double rate,
-            @ForAll("frictions") double friction,
-            @ForAll("positive") double dt,
-            @ForAll @DoubleRange(min = -100, max = 100) double vx,
-            @ForAll @DoubleRange(min = -100, max = 100) double vy) {
-        double hx = StrictMath.cos(heading), hy = StrictMath.sin(heading), k = StrictMath.exp(-rate * dt);
-        Unit gripped = new Unit(1).setVelocity(vx, vy);
-        grip(heading, rate).slow(gripped, dt);
-        double x = gripped.getVx(), y = gripped.getVy(), slack = 1e-13 * Math.hypot(vx, vy);
-        assertEquals(vx * hx + vy * hy, x * hx + y * hy, slack);
-        assertEquals(k * (vy * hx - vx * hy), y * hx - x * hy, slack);
-        assertTrue(Math.hypot(x, y) <= Math.hypot(vx, vy) + slack);
-
-        Unit before = new Unit(1).setFriction(friction).setVelocity(x, y);
-        before.integrate(dt, integrator);
-        Unit after = new Unit(1).setFriction(friction).setVelocity(vx, vy);
-        after.integrate(dt, integrator);
-        grip(heading, rate).slow(after, dt);
-        assertEquals(before.getVx(), after.getVx(), slack);
-        assertEquals(before.getVy(), after.getVy(), slack);
-    }
-
-    @Property
-    void quadraticDragTurnsNoUnitRoundAndMakesNoneFaster(
-            @ForAll Integrator integrator,
-            @ForAll("positive") double mass,
-            @ForAll("frictions") double friction,
-            @ForAll("positive") double strength,
-            @ForAll("positive") double dt,
-            @ForAll("anySpeed") double vx,
-            @ForAll("anySpeed") double vy) {
-        Unit unit = new Unit(mass).setFriction(friction).setVelocity(vx, vy);
-        World world = damped(unit, integrator, quadratic(strength));
-        for (int i = 0; i < 20; i++) {
-            double x = unit.getVx(), y = unit.getVy();
-            world.step(dt);
-            assertTrue(unit.getVx() * x >= 0 && Math.abs(unit.getVx()) <= Math.abs(x), x + " to " + unit.getVx());
-            assertTrue(unit.getVy() * y >= 0 && Math.abs(unit.getVy()) <= Math.abs(y), y + " to " + unit.getVy());
-        }
-    }
-
-    /** For drag it does, but by no more than in proportion to dt: half of it in steps half as long. */
-    @Property(tries = 100)
-    void theOrderOfFrictionAndDragMattersInProportionToDt(
-            @ForAll Integrator integrator, @ForAll @DoubleRange(min = 1, max = 3) double friction) {
-        double coarse = difference(integrator, friction, 64), fine = difference(integrator, friction, 128);
-        assertNotEquals(0, fine);
-        assertEquals(2, coarse / fine, 0.2);
-    }
-
-    private static double difference(Integrator integrator, double friction, int steps) {
-        Damping damping = quadratic(1);
-        Unit before = new Unit(1).setFriction(friction).setVelocity(20, 0);
-        Unit after = new Unit(1).setFriction(friction).setVelocity(20, 0);
-        for (int i = 0; i < steps; i++) {
-            damping.slow(before, 1.0 / steps);
-            before.integrate(1.0 / steps, integrator);
-            after.integrate(1.0 / steps, integrator);
-            damping.slow(after, 1.0 / steps);
-        }
-        return before.getVx() - after.getVx();
-    }
-
-    @Property(tries = 300)
-    void fromRestADampingBeforeTheStepLeadsAlongTheSamePathAsOneAfterIt(
-            @ForAll Integrator integrator,
-            @ForAll boolean isDrag,
-            @ForAll("positive") double strength,
-            @ForAll("frictions") double friction,
-            @ForAll @DoubleRange(min = -1000, max = 1000) double force) {
-        Damping damping = isDrag ? quadratic(strength) : grip(1, strength);
-        Unit early = new Unit(3).setFriction(friction), late = new Unit(3).setFriction(friction);
-        World before = world(
-                early,
-                integrator,
-                (w, dt) -> {
-                    damping.slow(early, dt);
-                    early.applyForce(force, force * w.getTick());
-                },
-                NOTHING);
-        World after = world(
-                late,
-                integrator,
-                (w, dt) -> late.applyForce(force, force * w.getTick()),
-                (w, dt) -> damping.slow(late, dt));
-        for (int i = 0; i < 30; i++) {
-            before.step();
-            after.step();
-            assertEquals(early.getX(), late.getX());
-            assertEquals(early.getY(), late.getY());
-        }
-    }
-
-    @Property
-    void quadraticDragIsExactForAUnitThatCoasts(
-            @ForAll Integrator integrator,
-            @ForAll("positive") double mass,
-            @ForAll("positive") double c,
-            @ForAll("positive") double v,
-            @ForAll("positive") double dt) {
-        Unit unit = new Unit(mass).setVelocity(0, -v);
-        World world = damped(unit, integrator, quadratic(c));
-        for (int n = 1; n <= 100; n++) {
-            world.step(dt);
-            assertEquals(1, unit.getSpeed() / (v / (1 + c * v * n * dt / mass)), 1e-13 * n + 1e-13);
-        }
-    }
-
-    @Property(tries = 300)
-    void drivenAgainstQuadraticDragAUnitSettlesBelowTheRootOfForceOverDragAndNeverPassesIt(
-            @ForAll Integrator integrator,
-            @ForAll("positive") double mass,
-            @ForAll("positive") double root,
-            @ForAll("positive") double dt,
-            @ForAll @DoubleRange(min = 0.05, max = 100) double push) {
-        double force = push * root * mass / dt, c = force / (root * root); // a step's push is so many times the root
-        Unit unit = new Unit(mass);
-        World world = damped(unit, integrator, quadratic(c));
-        for (int i = 0; i < 2000; i++) {
-            unit.applyForce(force, 0);
-            world.step(dt);
-            assertTrue(unit.getVx() <= root * (1 + 1e-13), unit.getVx() + " past " + root);
-        }
-        double half = force * dt / (2 * mass);
-        assertEquals(1, unit.getVx() / (force / c / (Math.sqrt(force / c + half * half) + half)), 1e-9);
-        assertTrue(root - unit.getVx() <= half);
     }
 
     // Forces
