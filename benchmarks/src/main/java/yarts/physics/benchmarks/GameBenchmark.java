@@ -110,7 +110,7 @@ public class GameBenchmark extends Workload {
     @Benchmark
     @Fork(
             value = 3,
-            jvmArgsAppend = {"-Xms1g", "-Xmx1g"})
+            jvmArgsAppend = {"-Xms3g", "-Xmx3g"})
     public void removeAndAdd() {
         for (Unit unit : shuffled) world.remove(unit);
         for (Unit unit : shuffled) world.add(unit);
