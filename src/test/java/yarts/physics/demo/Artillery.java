@@ -6,16 +6,17 @@ import java.util.Deque;
 import java.util.List;
 import yarts.physics.support.Churn;
 
-/** The guns of both armies' first echelons: shells fly, and burst; some throw whoever is near. */
+/** The guns of both armies' first echelons. Shells fly and burst; heavy ones throw the tanks around them. */
 final class Artillery {
     private static final double SHOTS_PER_SECOND = 0.05; // of each gun
     private static final double HEAVY = 0.25; // of all shells
     private static final double SHELL_SPEED = 110, RECOIL = 20; // m/s
     private static final double MISS = 4; // m
+    /** A gun picks the nearest of this many random targets, from north to south. */
     private static final int RIVALS = 8;
 
     static final double BLAST_RADIUS = 17; // m
-    /** How fast a blast throws a tank at its centre. */
+    /** The speed that a blast gives to a tank at its centre. */
     private static final double BLAST = 60; // m/s
 
     private static final int KEPT_BLASTS = 40;
@@ -70,7 +71,7 @@ final class Artillery {
         gun.applyImpulse(-RECOIL * Tank.MASS * gun.aimX, -RECOIL * Tank.MASS * gun.aimY);
     }
 
-    /** Throws those around it outwards. */
+    /** Makes a blast, which throws the tanks around it outwards. */
     void burst(double x, double y, double time) {
         blasts.add(new Skirmish.Blast(x, y, time));
         if (blasts.size() > KEPT_BLASTS) blasts.remove();

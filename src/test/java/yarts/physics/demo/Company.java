@@ -2,26 +2,26 @@ package yarts.physics.demo;
 
 import yarts.physics.support.Churn;
 
-/** Twenty tanks in ranks and files, which keep their places behind their echelon's line as it moves and bends. */
+/** Twenty tanks in ranks and files. They keep their places behind their echelon's line, which moves and bends. */
 final class Company {
     static final int FILES = 5, RANKS = 4;
     static final int SIZE = FILES * RANKS;
     static final double FILE = 4.3, RANK = 6.4; // m from one tank to the next
-    /** From the first rank of a company to that of the one behind it. */
+    /** From the first rank of a company to the first rank of the company behind it. */
     static final double DEPTH = 30; // m
 
-    /** How far the flanks of every second company hang back, for each file, and every second rank is shifted. */
+    /** Flanks of every second company are WEDGE back for each file; every second rank is shifted by STAGGER. */
     private static final double WEDGE = 1.9, STAGGER = FILE / 2; // m
 
-    /** How far behind its place it begins, and how far before it a sally goes. */
+    /** Its distance behind its place at the start, and in front of it in a sally. */
     private static final double ASSEMBLY = 30, SALLY = 9; // m
 
     private static final double SALLY_TIME = 4; // s
 
     final Front.Line line;
-    /** Where its middle file is, from north to south. */
+    /** The place of its middle file, from north to south; in m. */
     private final double middle;
-    /** When it sets out, and when it turns back from a sally; in s. */
+    /** The times at which it sets out and at which it returns from a sally; in s. */
     private final double start;
 
     private double until;
@@ -37,7 +37,7 @@ final class Company {
         return line.west;
     }
 
-    /** Runs out before the others for a while. */
+    /** Advances in front of the others for some seconds. */
     void sally(double time) {
         until = time + SALLY_TIME;
     }
@@ -47,20 +47,22 @@ final class Company {
         behind += Skirmish.limit(goal - behind, Front.PACE * dt);
     }
 
-    /** Where a tank's place is, from north to south. */
+    /** A tank's place, from north to south; in m. */
     double y(int rank, int file) {
         return middle + (file - (FILES - 1) / 2.0) * FILE + STAGGER * (rank % 2 - 0.5);
     }
 
-    /** How far its place is behind the company's first rank. */
+    /** The distance of a tank's place from the company's first rank; in m. */
     double back(int rank, int file) {
         return rank * RANK + (line.depth % 2 == 1 ? WEDGE * Math.abs(file - (FILES - 1) / 2.0) : 0);
     }
 
-    /** Where a place is, from west to east. */
+    /** A tank's place, from west to east; in m. */
     double x(double back, double y) {
         double depth = Skirmish.NO_MANS_LAND / 2 + line.depth * DEPTH + behind + back;
-        return line.at(y) + Skirmish.WIDTH / 2 + (line.west ? -depth : depth); // a sum first, as in Kernel
+        return line.at(y)
+                + Skirmish.WIDTH / 2
+                + (line.west ? -depth : depth); // the sum first, as in Kernel: the same bits everywhere
     }
 
     long hash(long hash) {

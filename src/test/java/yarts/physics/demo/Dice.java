@@ -2,7 +2,7 @@ package yarts.physics.demo;
 
 import yarts.physics.support.Churn;
 
-/** Random numbers of the game's own: SplitMix64, for java.util.Random is not the same everywhere. Its state is saved. */
+/** Random numbers: SplitMix64. Its state is part of the game's hash. */
 final class Dice {
     long state;
 

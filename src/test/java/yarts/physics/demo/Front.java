@@ -3,32 +3,32 @@ package yarts.physics.demo;
 import yarts.physics.support.Churn;
 
 /**
- * Where the armies meet: a curve from north to south through some points, which orders move west and east. Each echelon of
- * an army hears of an order in its turn, and follows with a line of its own.
+ * The line between the armies: a curve from north to south through some points, which orders move west and east. Each echelon
+ * of an army receives an order after its own delay, and follows with a line of its own.
  */
 final class Front {
     private static final int POINTS = 9;
     private static final double SPACING = Skirmish.HEIGHT / (POINTS - 1); // m
 
     static final double PACE = 7; // m/s
-    /** How far the front may be from the middle of the map, and a point of it from its neighbours. */
+    /** The maximum distance of the front from the middle of the map, and of a point from its neighbours, from west to east. */
     private static final double FARTHEST = 34, STEEPEST = 17; // m
 
-    private static final double SHORTEST = 12; // m: an order
-    /** Who gives way goes first, its rear before its front; who follows waits for that. */
+    private static final double SHORTEST = 12; // m: shorter moves are not ordered
+    /** The army that withdraws moves first, its rear before its front; the other army follows after a delay. */
     private static final double ECHELON_DELAY = 0.5, ATTACK_DELAY = 2.6; // s
 
-    /** Where the points are to be, east of the middle of the map; in m. */
+    /** The ordered places of the points, east of the middle of the map; in m. */
     private final double[] ordered = new double[POINTS];
 
     private final Line[] lines;
 
-    /** The front of one echelon: where it is, and where it is to be, as far as it has heard. */
+    /** The line of one echelon: where it is, and the places that it was ordered to. */
     final class Line {
         final boolean west;
         final int depth;
         private final double[] at = new double[POINTS], goal = new double[POINTS];
-        /** When it hears of the last order; in s. */
+        /** The times at which it receives the last orders; in s. */
         private final double[] when = new double[POINTS];
 
         Line(boolean west, int depth) {
@@ -43,7 +43,7 @@ final class Front {
             }
         }
 
-        /** East of the middle of the map, at a place from north to south: smooth between two points. */
+        /** The line's distance east of the middle of the map at a given y, smooth between two points; in m. */
         double at(double y) {
             double s = Math.max(0, Math.min(POINTS - 1, y / SPACING));
             int k = Math.min((int) s, POINTS - 2);
@@ -65,7 +65,7 @@ final class Front {
         for (Line line : lines) line.march(time, dt);
     }
 
-    /** Moves a point, which draws its neighbours along. */
+    /** Orders a point to a new place. Its neighbours follow where they would be too far away. */
     void order(Dice dice, double time) {
         int point = dice.below(POINTS);
         double next = dice.within(FARTHEST);

@@ -2,7 +2,7 @@ package yarts.physics.demo;
 
 import java.util.Arrays;
 
-/** Finds points that are close to each other: square cells, each with a linked list of the points in it. No garbage. */
+/** Finds points that are close to each other: square cells, each with a linked list of its points. Creates no garbage. */
 final class Grid {
     /** Takes two points by their indices. */
     interface Pair {
@@ -16,23 +16,23 @@ final class Grid {
     private final int rows;
     private final int[] head;
     private final int[] next;
-    private final int[] home;
+    private final int[] cellOf;
 
     Grid(double width, double height, double cell, int points) {
         this.cell = cell;
-        columns = (int) (width / cell) + 3; // with an empty one on either side, so that each cell has its neighbours
+        columns = (int) (width / cell) + 3; // with an empty column on either side, so that each cell has neighbours
         rows = (int) (height / cell) + 3;
         head = new int[columns * rows];
         next = new int[points];
-        home = new int[points];
+        cellOf = new int[points];
     }
 
-    /** Sorts the points into cells; those off the map go to its edge. */
+    /** Sorts the points into cells. Points outside the map go into the cells at its edge. */
     void fill(double[] x, double[] y) {
         Arrays.fill(head, NONE);
         for (int i = 0; i < next.length; i++) {
             int c = clamp(y[i], rows) * columns + clamp(x[i], columns);
-            home[i] = c;
+            cellOf[i] = c;
             next[i] = head[c];
             head[c] = i;
         }
@@ -42,10 +42,10 @@ final class Grid {
         return 1 + Math.max(0, Math.min(n - 3, (int) (v / cell)));
     }
 
-    /** Visits, once each, all pairs of points on the map that are closer than a cell is wide, and some others. */
+    /** Visits all pairs of points on the map that are closer than the width of a cell, and some others, once each. */
     void forEachPair(Pair pair) {
         for (int i = 0; i < next.length; i++) {
-            int c = home[i];
+            int c = cellOf[i];
             visit(i, next[i], pair);
             visit(i, head[c + 1], pair);
             visit(i, head[c + columns - 1], pair);

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** The source's example, in numbers: a unit slides to a stop, or does not, as the step gets longer. */
+/** The source's example in numbers: with longer steps, a sliding unit does not stop by the naive rule. */
 public final class JitterTable {
     static final double SPEED = 10; // m/s, at the start
     static final double FRICTION = 10; // N·s/m
@@ -16,12 +16,12 @@ public final class JitterTable {
 
     /** A line of the table: the velocities at the start and after each step. */
     public record Line(double dt, Rule rule, double[] v) {
-        /** f dt/m, which says it all. */
+        /** z = f dt/m, which alone determines the behaviour. */
         public double z() {
             return FRICTION * dt / MASS;
         }
 
-        /** Whether a step, counted from 1, turns the velocity round. */
+        /** Whether a step, counted from 1, reverses the velocity. */
         public boolean flips(int step) {
             return v[step] * v[step - 1] < 0;
         }
@@ -29,7 +29,7 @@ public final class JitterTable {
 
     private JitterTable() {}
 
-    /** All lines: for each dt, one a rule. */
+    /** All lines: one for each dt and rule. */
     public static List<Line> lines() {
         List<Line> lines = new ArrayList<>();
         for (double dt : DTS) {
@@ -41,8 +41,8 @@ public final class JitterTable {
     }
 
     public static void print(PrintStream out) {
-        out.println("The jitters: m = 1 kg, f = 10 N s/m, v = 10 m/s, and nothing pushes: friction should bring");
-        out.println("the unit to rest. The naive rule is v' = v - (f v/m) dt.  z = f dt/m,  ! = turned round.");
+        out.println("The jitters: m = 1 kg, f = 10 N s/m, v = 10 m/s, no force. Friction should bring the unit");
+        out.println("to rest. The naive rule is v' = v - (f v/m) dt.  z = f dt/m,  ! = reversed.");
         out.printf("%nVelocity after one step, in m/s%n%n  dt, s    z");
         for (Rule rule : RULES) out.printf("%14s ", rule);
         for (Line line : lines()) {

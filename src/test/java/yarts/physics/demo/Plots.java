@@ -3,9 +3,11 @@ package yarts.physics.demo;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.Graphics2D;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -22,9 +24,9 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 import yarts.physics.Integrator;
 import yarts.physics.Unit;
 
-/** Draws what the rules do: over time, and at any tick rate. */
+/** Plots the rules: velocity over time, and terminal speed over the tick rate. */
 public final class Plots {
-    // Okabe and Ito's colours, which the colour-blind tell apart too.
+    // Okabe and Ito's colours, which colour-blind people can tell apart.
     private static final Color VERMILION = new Color(0xD55E00);
     private static final Color ORANGE = new Color(0xE69F00);
     private static final Color BLUE = new Color(0x0072B2);
@@ -36,12 +38,12 @@ public final class Plots {
     private static final double MASS = 1; // kg
     private static final double FRICTION = 10; // N·s/m
     private static final double DRY = 10; // N
-    private static final double SPEED = 10; // m/s, to start with or to end with
+    private static final double SPEED = 10; // m/s, at the start or at the end
     private static final double OFF_THE_CHART = 1000; // m/s
 
     private Plots() {}
 
-    /** Velocity against time, past the naive rule's limits: on the left without a force, on the right under a push. */
+    /** Velocity against time, beyond the naive rule's limits: without a force (left) and under a steady push (right). */
     public static void jitter(Path file) throws IOException {
         List<XYChart> charts = List.of(
                 overTime("No push: it should come to rest, at 0 m/s", SPEED, 0, 0),
@@ -73,9 +75,9 @@ public final class Plots {
         return IntStream.rangeClosed(0, steps).mapToDouble(i -> i * dt).toArray();
     }
 
-    /** Velocity against time under dry friction: by the naive rule, by the motor, and linear friction beside them. */
+    /** Velocity against time under dry friction, by the naive rule and by the motor; and under linear friction. */
     public static void motor(Path file) throws IOException {
-        String title = "Dry friction: the unit should stop after 1 s, and stay at rest";
+        String title = "Dry friction: the unit should stop after 1 s and stay at rest";
         XYChart chart = chart(1000, 600, title, "time, s   (m = 1 kg, R = 10 N, u = 0)", "velocity, m/s");
         chart.getStyler().setLegendPosition(LegendPosition.InsideNE);
         chart.getStyler().setXAxisMin(0.0).setXAxisMax(3.0).setYAxisMin(-3.0).setYAxisMax(10.0);
@@ -112,10 +114,10 @@ public final class Plots {
         style(chart.addSeries(name, times(dt, steps), velocity), colour, marker, 2);
     }
 
-    /** Terminal speed against tick rate: the library's is F/f at any. */
+    /** Terminal speed against tick rate. The library's is F/f at every rate. */
     public static void terminalSpeed(Path file) throws IOException {
-        String title = "Terminal speed under a steady push: F/f = 10 m/s, or is it?";
-        String x = "ticks a second   (F = 100 N, m = 1 kg, f = 10 N·s/m, z = f·dt/m)";
+        String title = "Terminal speed under a steady push: it should be F/f = 10 m/s";
+        String x = "ticks per second   (F = 100 N, m = 1 kg, f = 10 N·s/m, z = f·dt/m)";
         XYChart chart = chart(1000, 600, title, x, "speed after 60 s, m/s");
         chart.getStyler().setLegendPosition(LegendPosition.InsideNE);
         chart.getStyler().setXAxisLogarithmic(true).setXAxisMin(2.0).setXAxisMax(1000.0);
@@ -123,29 +125,38 @@ public final class Plots {
         curve(chart, "naive: v' = v + (F − f·v)·dt/m", Rule.NAIVE, VERMILION, 7);
         curve(chart, "damp, then push: v' = v·max(0, 1 − z) + F·dt/m", Rule.DAMP_THEN_PUSH, ORANGE, 3);
         curve(chart, "push, then damp: v' = (v + F·dt/m)·max(0, 1 − z)", Rule.PUSH_THEN_DAMP, PURPLE, 3);
-        points(chart, Rule.EULER, 0, BLUE, SeriesMarkers.SQUARE);
-        points(chart, Rule.SEMI_IMPLICIT, 1, SKY, SeriesMarkers.TRIANGLE_DOWN);
-        points(chart, Rule.MIDPOINT, 2, GREEN, SeriesMarkers.DIAMOND);
-        points(chart, Rule.EXACT, 3, Color.BLACK, SeriesMarkers.CROSS);
-        limit(chart, "z = 2", 5);
-        limit(chart, "z = 1", 10);
+        points(chart, Rule.EULER, BLUE, SeriesMarkers.SQUARE, 22);
+        points(chart, Rule.SEMI_IMPLICIT, SKY, SeriesMarkers.TRIANGLE_DOWN, 20);
+        points(chart, Rule.MIDPOINT, GREEN, SeriesMarkers.DIAMOND, 12);
+        points(chart, Rule.EXACT, Color.BLACK, SeriesMarkers.CROSS, 22);
+        limit(chart, 2);
+        limit(chart, 1);
         BitmapEncoder.saveBitmap(chart, file.toString(), BitmapFormat.PNG);
     }
 
     private static void curve(XYChart chart, String name, Rule rule, Color colour, float width) {
-        double[] rates = rates(0, 1, 271);
+        double[] rates = rates(271);
         style(chart.addSeries(name, rates, speeds(rule, rates)), colour, SeriesMarkers.NONE, width);
     }
 
-    /** Every fourth of the points is one integrator's, so that all can be seen. */
-    private static void points(XYChart chart, Rule rule, int first, Color colour, Marker marker) {
-        double[] rates = rates(first, 4, 37);
-        style(chart.addSeries(rule.name(), rates, speeds(rule, rates)), colour, marker, 2);
+    /** All integrators have their points at the same rates. The sizes of their markers keep all four visible. */
+    private static void points(XYChart chart, Rule rule, Color colour, Marker marker, int size) {
+        double[] rates = rates(10);
+        style(chart.addSeries(rule.name(), rates, speeds(rule, rates)), colour, sized(marker, size), 2);
     }
 
-    /** Tick rates, of n that lie evenly on a logarithmic axis from 2 to 1,000. */
-    private static double[] rates(int first, int stride, int n) {
-        return IntStream.iterate(first, i -> i < n, i -> i + stride)
+    private static Marker sized(Marker marker, int size) {
+        return new Marker() {
+            @Override
+            public void paint(Graphics2D g, double x, double y, int ignored) {
+                marker.paint(g, x, y, size);
+            }
+        };
+    }
+
+    /** Tick rates, n of them evenly spaced on a logarithmic axis from 2 to 1,000. */
+    private static double[] rates(int n) {
+        return IntStream.range(0, n)
                 .mapToDouble(i -> 2 * Math.pow(500, i / (n - 1.0)))
                 .toArray();
     }
@@ -160,9 +171,11 @@ public final class Plots {
                 .toArray();
     }
 
-    private static void limit(XYChart chart, String name, double rate) {
+    private static void limit(XYChart chart, double z) {
+        double rate = FRICTION / MASS / z;
         chart.addAnnotation(new AnnotationLine(rate, true, false));
-        chart.addAnnotation(new AnnotationText(name, 1.2 * rate, 29, false));
+        String text = String.format(Locale.ROOT, "z = %.0f: %.0f/s", z, rate);
+        chart.addAnnotation(new AnnotationText(text, 1.35 * rate, 29, false));
     }
 
     private static void style(XYSeries series, Color colour, Marker marker, float width) {

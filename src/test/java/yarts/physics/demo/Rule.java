@@ -5,11 +5,11 @@ import yarts.physics.Unit;
 import yarts.physics.source.ArticleUnit;
 
 /**
- * Ways to work out the velocity after a step, from m dv/dt = F − f v: three that games use, and the library's four. In all,
- * z = f dt/m.
+ * Rules for the velocity after a step of m dv/dt = F − f v: three that games use, and the library's four integrators. In all
+ * of them, z = f dt/m.
  */
 public enum Rule {
-    /** Friction as one more force: v' = v + (F − f v) dt/m. */
+    /** Friction as a force: v' = v + (F − f v) dt/m. */
     NAIVE(Rule::naive),
     /** Add the force, then damp: v' = (v + F dt/m) max(0, 1 − z). */
     PUSH_THEN_DAMP((v, force, friction, mass, dt) -> (v + force * dt / mass) * Math.max(0, 1 - friction * dt / mass)),

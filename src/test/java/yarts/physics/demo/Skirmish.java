@@ -8,10 +8,9 @@ import yarts.physics.World;
 import yarts.physics.support.Churn;
 
 /**
- * A game of two armies that hold a front against each other. The front bends to and fro, companies follow it, sally and
- * withdraw, shells throw tanks out of the ranks, and they drive back to their places. Before each step the game drives its
- * tanks, keeps them apart and fires; the world moves them. The same seed plays the same battle, to the bit, on the web as
- * on a JVM.
+ * A game of two armies with a front between them. The front moves, companies follow it, sally and withdraw. Blasts throw tanks
+ * out of the ranks, and the tanks drive back to their places. Before each step the game drives its tanks, keeps them apart and
+ * fires; the world moves them. The same seed plays the same battle, to the bit, on the web and on a JVM.
  */
 public final class Skirmish {
     public static final int TICKS_PER_SECOND = 60;
@@ -19,20 +18,20 @@ public final class Skirmish {
     public static final double HEIGHT = 300; // m
 
     static final double NO_MANS_LAND = 34; // m
-    private static final int MOST_LANES = 12;
+    private static final int MAX_LANES = 12;
     private static final double WIDEST_LANE = 48, MARGIN = 5; // m
     private static final double ORDERS_PER_SECOND = 0.8, SALLIES_PER_SECOND = 1;
     private static final double FIRST_SHOT = 3, FIRST_ORDER = 5; // s
 
-    /** Tanks closer than the first are pushed apart gently, and closer than the second firmly. */
+    /** Tanks closer than the first distance are pushed apart gently; closer than the second, firmly. */
     private static final double APART = 4.2, TOUCH = 3.6; // m
 
     private static final double GENTLE = 2.5, FIRM = 12; // m/s, for tanks in the same place
 
-    /** Where and when a shell burst; in m and s. */
+    /** The place and time of a burst; in m and s. */
     public record Blast(double x, double y, double time) {}
 
-    /** One in flight: from where, to where, when it was fired and when it bursts. Only a heavy one makes a blast. */
+    /** A shell in flight: its start, its target, the times of the shot and the burst. Only a heavy shell makes a blast. */
     public record Shell(double fromX, double fromY, double x, double y, double fired, double bursts, boolean heavy) {}
 
     private final Tank[] tanks;
@@ -50,16 +49,16 @@ public final class Skirmish {
     private boolean naive;
     private double friction = Tank.FRICTION * Tank.MASS; // N·s/m
     private double time; // s
-    private int turned;
+    private int jittering;
 
-    public Skirmish(int tanksAnArmy, long seed) {
+    public Skirmish(int tanksPerArmy, long seed) {
         dice = new Dice(seed);
-        int perArmy = (tanksAnArmy + Company.SIZE - 1) / Company.SIZE;
-        int lanes = Math.min(perArmy, MOST_LANES);
+        int perArmy = (tanksPerArmy + Company.SIZE - 1) / Company.SIZE;
+        int lanes = Math.min(perArmy, MAX_LANES);
         front = new Front((perArmy + lanes - 1) / lanes);
         companies = new Company[2 * perArmy];
         for (int i = 0; i < companies.length; i++) companies[i] = company(i % 2 == 0, i / 2, lanes);
-        tanks = new Tank[2 * tanksAnArmy];
+        tanks = new Tank[2 * tanksPerArmy];
         for (int i = 0; i < tanks.length; i++) {
             int k = i / 2, place = k % Company.SIZE;
             Company company = companies[k / Company.SIZE * 2 + i % 2];
@@ -72,10 +71,11 @@ public final class Skirmish {
         fy = new double[tanks.length];
         grid = new Grid(WIDTH, HEIGHT, APART, tanks.length);
         world.addBeforeStep(commands);
+        world.addAfterStep((w, dt) -> countJitters());
         brake();
     }
 
-    /** Companies go side by side from the middle outwards, and then behind each other. */
+    /** Companies stand side by side, from the middle outwards, and then behind each other. */
     private Company company(boolean west, int index, int lanes) {
         int k = index % lanes, depth = index / lanes, fromMiddle = (k + 1) / 2;
         double lane = lanes / 2 + (k % 2 == 0 ? fromMiddle : -fromMiddle) - (lanes - 1) / 2.0;
@@ -97,12 +97,12 @@ public final class Skirmish {
         friction = perSecond * Tank.MASS;
     }
 
-    /** Whether the game brakes its tanks itself, by a force of −f·v, as one does until one sees the jitters. */
+    /** Whether the game brakes its tanks itself, by a force of −f·v: the naive rule. */
     public void setNaive(boolean naive) {
         this.naive = naive;
     }
 
-    /** Plays a frame's time; returns how many ticks that were. */
+    /** Plays the time of a frame; returns the number of ticks. */
     public int advance(double seconds) {
         return world.advance(seconds);
     }
@@ -112,7 +112,7 @@ public final class Skirmish {
         world.step();
     }
 
-    /** A player's shell. */
+    /** Makes a blast, as a player's shell does. */
     public void blastAt(double x, double y) {
         artillery.burst(x, y, time);
     }
@@ -123,10 +123,8 @@ public final class Skirmish {
         if (time > FIRST_ORDER && dice.next() < SALLIES_PER_SECOND * dt) sally();
         front.march(time, dt);
         for (Company company : companies) company.march(time, dt);
-        turned = 0;
         for (int i = 0; i < tanks.length; i++) {
             Tank tank = tanks[i];
-            if (tank.jitters()) turned++;
             if (!tank.isSliding(time)) tank.drive(friction);
             x[i] = tank.getX();
             y[i] = tank.getY();
@@ -136,12 +134,20 @@ public final class Skirmish {
         if (time > FIRST_SHOT) artillery.fire(dice, time, dt);
     }
 
+    private void countJitters() {
+        jittering = 0;
+        for (Tank tank : tanks) {
+            tank.countReversal();
+            if (tank.jitters()) jittering++;
+        }
+    }
+
     private void sally() {
         Company company = companies[dice.below(companies.length)];
         if (company.line.depth == 0) company.sally(time);
     }
 
-    /** By the library's friction; or by a force, which is the bug that the library is for. */
+    /** Sets the library's friction; or applies a force instead, which causes the jitters. */
     private void brake() {
         for (Tank tank : tanks) {
             double f = tank.friction(friction, time), library = naive ? 0 : f;
@@ -158,7 +164,7 @@ public final class Skirmish {
         for (int i = 0; i < tanks.length; i++) if (fx[i] != 0 || fy[i] != 0) tanks[i].applyForce(fx[i], fy[i]);
     }
 
-    /** Pushes two tanks apart: the closer, the harder. */
+    /** Pushes two tanks apart, harder at shorter distances. */
     private void keepApart(int i, int j) {
         double dx = x[i] - x[j], dy = y[i] - y[j], squared = dx * dx + dy * dy;
         if (squared >= APART * APART || squared == 0) return;
@@ -171,16 +177,16 @@ public final class Skirmish {
         fy[j] -= force * dy;
     }
 
-    static double limit(double v, double most) {
-        return Math.max(-most, Math.min(most, v));
+    static double limit(double v, double max) {
+        return Math.max(-max, Math.min(max, v));
     }
 
-    /** In the order in which their interpolated positions are copied. */
+    /** All tanks, in the order of the world's units. */
     public Tank[] tanks() {
         return tanks;
     }
 
-    /** The last ones, oldest first. */
+    /** The last blasts, oldest first. */
     public Iterable<Blast> blasts() {
         return artillery.blasts();
     }
@@ -201,12 +207,12 @@ public final class Skirmish {
         return time;
     }
 
-    /** How many tanks the last step turned round, as had the one before: the jitters. */
-    public int turned() {
-        return turned;
+    /** The number of tanks that jitter. */
+    public int jittering() {
+        return jittering;
     }
 
-    /** The world's, and all else that decides how the game goes on. */
+    /** A hash of the world and of all other data that determine the rest of the game. */
     public long stateHash() {
         long hash = Churn.scramble(world.stateHash() + dice.state) + Double.doubleToRawLongBits(time);
         hash = Churn.scramble(hash + Double.doubleToRawLongBits(friction)) + (naive ? 1 : 0);

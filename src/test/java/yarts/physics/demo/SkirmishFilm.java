@@ -1,93 +1,112 @@
 package yarts.physics.demo;
 
-import com.madgag.gif.fmsware.AnimatedGifEncoder;
+import java.awt.Color;
+import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.Shape;
+import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
-import java.io.File;
 import java.io.IOException;
-import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
-import javax.imageio.ImageIO;
 
-/** Plays a skirmish without a screen, as fast as it goes, and keeps a GIF and a still of it. */
+/**
+ * Films one skirmish twice, side by side: by the naive rule and by the library, from one seed and at the same tick rate. Each
+ * half shows how many of its visible tanks jitter. A frame is a tick, so the film runs in real time.
+ */
 public final class SkirmishFilm {
-    private static final int DELAY = 100; // of a frame, in ms
-    private static final int TICKS_PER_FRAME = 12; // twice real time
+    /** z = 42 / 20 = 2.1: the naive rule diverges, and the jitters are long enough to be seen. */
+    private static final int TICKS_PER_SECOND = 20;
+
+    private static final double FRICTION = 42; // f/m, in 1/s
+    private static final int SKIPPED = 2 * TICKS_PER_SECOND; // ticks before the first frame
+    private static final int LAST_DELAY = 1500; // ms
+
+    // In pixels. On GitHub, a README is about 830 pixels wide.
+    private static final int HALF = 410, GAP = 8, FIELD = 320, TOP = 34, BOTTOM = 28;
+    private static final int WIDTH = 2 * HALF + GAP, HEIGHT = TOP + FIELD + BOTTOM;
+    private static final double SCALE = 2.5; // pixels per metre
+
+    private static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 20);
+    private static final Font TEXT = new Font(Font.SANS_SERIF, Font.PLAIN, 15);
 
     private final SkirmishPainter painter = new SkirmishPainter();
-    private final Skirmish game;
-    private long stepNanos, gameNanos;
+    private final Skirmish naive, library;
 
-    public SkirmishFilm(Skirmish game) {
-        this.game = game;
-        game.world().removeStepListener(game.commands);
-        game.world().addBeforeStep((world, dt) -> {
-            long start = System.nanoTime();
-            game.commands.onStep(world, dt);
-            gameNanos += System.nanoTime() - start;
-        });
-    }
-
-    /** Plays the ticks. The still is the last frame. */
-    public void shoot(Path folder, int ticks, Runnable afterTick) throws IOException {
-        AnimatedGifEncoder gif = new AnimatedGifEncoder();
-        gif.start(folder.resolve("skirmish.gif").toString());
-        gif.setRepeat(0); // for ever
-        gif.setDelay(DELAY);
-        gif.setQuality(1); // the palette from every pixel
-        for (int tick = 1; tick <= ticks; tick++) {
-            long start = System.nanoTime();
-            game.tick();
-            stepNanos += System.nanoTime() - start;
-            if (tick % TICKS_PER_FRAME == 0) gif.addFrame(frame(480, 386, false));
-            afterTick.run();
+    public SkirmishFilm(int tanksPerArmy, long seed) {
+        naive = new Skirmish(tanksPerArmy, seed);
+        naive.setNaive(true);
+        library = new Skirmish(tanksPerArmy, seed);
+        for (Skirmish game : new Skirmish[] {naive, library}) {
+            game.setFriction(FRICTION);
+            game.setTicksPerSecond(TICKS_PER_SECOND);
+            for (int tick = 0; tick < SKIPPED; tick++) game.tick();
         }
-        if (!gif.finish()) throw new IOException("skirmish.gif could not be written to " + folder);
-        File still = folder.resolve("skirmish.png").toFile();
-        ImageIO.write(frame(960, 746, true), "png", still);
     }
 
-    /** A frame of the GIF is not smooth: fewer colours make it smaller. */
-    private BufferedImage frame(int width, int height, boolean smooth) {
-        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_3BYTE_BGR);
+    /** Writes a GIF of some frames, which repeats. */
+    public void shoot(Path file, int frames, Runnable afterFrame) throws IOException {
+        FilmEncoder gif = new FilmEncoder(SkirmishPainter.palette());
+        gif.start(file.toString());
+        gif.setRepeat(0); // without end
+        for (int frame = 1; frame <= frames; frame++) {
+            naive.tick();
+            library.tick();
+            gif.setDelay(frame < frames ? 1000 / TICKS_PER_SECOND : LAST_DELAY);
+            gif.addFrame(frame());
+            afterFrame.run();
+        }
+        if (!gif.finish()) throw new IOException("could not write " + file);
+    }
+
+    /** Shapes are drawn without antialiasing: fewer colours make the file smaller. */
+    private BufferedImage frame() {
+        BufferedImage image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_3BYTE_BGR);
         Graphics2D g = image.createGraphics();
-        if (smooth) g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        painter.paint(g, width, height, game);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setColor(SkirmishPainter.BEYOND);
+        g.fillRect(0, 0, WIDTH, HEIGHT);
+        half(g, 0, "The naive rule: ", naive, SkirmishPainter.JITTERS);
+        half(g, HALF + GAP, "The library: ", library, SkirmishPainter.CALM);
+        g.setFont(TEXT);
+        int baseline = HEIGHT - 9, x = SkirmishPainter.legend(g, 8, baseline);
+        String rate = String.format(
+                Locale.ROOT, "%d ticks/s, z = f·dt/m = %.1f", TICKS_PER_SECOND, FRICTION / TICKS_PER_SECOND);
+        g.drawString(rate, Math.max(x, WIDTH - 8 - g.getFontMetrics().stringWidth(rate)), baseline);
         g.dispose();
         return image;
     }
 
-    public void report(PrintStream out) {
-        Tank[] tanks = game.tanks();
-        long ticks = game.world().getTick();
-        double steps = (double) tanks.length * ticks, seconds = stepNanos / 1e9;
-        long thrown = Arrays.stream(tanks).filter(tank -> tank.lastHit() > 0).count();
-        out.printf(Locale.ROOT, "%nThe skirmish: %,d tanks, %,d ticks of 1/60 s, EULER%n", tanks.length, ticks);
-        line(out, "played in", "%.1f s, without the pictures: %.0f times real time", seconds, game.time() / seconds);
-        line(
-                out,
-                "library",
-                "%.0f ns a tank and step, in a JVM that has just started",
-                (stepNanos - gameNanos) / steps);
-        line(out, "game", "%.0f ns a tank and step: driving, keeping apart, firing", gameNanos / steps);
-        line(out, "blasts", "%,d, which have thrown %,d tanks out of their ranks", game.blastCount(), thrown);
-        line(out, "distance", "%.1f m between the closest two, which are %.1f m broad", closest(tanks), Tank.BREADTH);
-        line(out, "state", "%016x, the same on every machine and in every run", game.stateHash());
+    private void half(Graphics2D g, int left, String title, Skirmish game, Color countColour) {
+        AffineTransform pixels = g.getTransform();
+        Shape clip = g.getClip();
+        g.clipRect(left, TOP, HALF, FIELD);
+        g.translate(left + HALF / 2.0, TOP + FIELD / 2.0);
+        g.scale(SCALE, SCALE);
+        g.translate(-Skirmish.WIDTH / 2, -Skirmish.HEIGHT / 2);
+        painter.paintField(g, game);
+        g.setTransform(pixels);
+        g.setClip(clip);
+
+        int baseline = TOP - 10, x = left + 8;
+        g.setFont(TITLE);
+        g.setColor(SkirmishPainter.INK);
+        g.drawString(title, x, baseline);
+        x += g.getFontMetrics().stringWidth(title);
+        g.setColor(countColour);
+        g.drawString(count(game) + " tanks jitter", x, baseline);
     }
 
-    private static double closest(Tank[] tanks) {
-        double least = Double.POSITIVE_INFINITY;
-        for (Tank a : tanks) {
-            for (Tank b : tanks)
-                if (a != b) least = Math.min(least, Math.hypot(a.getX() - b.getX(), a.getY() - b.getY()));
-        }
-        return least;
+    private static long count(Skirmish game) {
+        return Arrays.stream(game.tanks())
+                .filter(tank -> tank.jitters() && isVisible(tank))
+                .count();
     }
 
-    private static void line(PrintStream out, String label, String format, Object... values) {
-        out.printf(Locale.ROOT, "  %-14s %s%n", label, String.format(Locale.ROOT, format, values));
+    private static boolean isVisible(Tank tank) {
+        return Math.abs(tank.getX() - Skirmish.WIDTH / 2) < HALF / SCALE / 2
+                && Math.abs(tank.getY() - Skirmish.HEIGHT / 2) < FIELD / SCALE / 2;
     }
 }

@@ -10,30 +10,60 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.function.IntBinaryOperator;
 
-/** Draws a skirmish to fit a picture of any size: the film, the still and the window. */
+/** Draws a skirmish: in a picture of any size, or its field alone. */
 final class SkirmishPainter {
-    // Told apart by the colour-blind too.
+    // Colour-blind people can tell them apart.
     private static final Color WEST = new Color(0xE69F00), WEST_TURRET = new Color(0xFFC95C);
     private static final Color EAST = new Color(0x56B4E9), EAST_TURRET = new Color(0xA6DCFA);
     private static final Color THROWN = new Color(0xFFFFFF), THROWN_TURRET = new Color(0xC8C8C8);
+    static final Color JITTERS = new Color(0xFF5C9A), JITTERS_TURRET = new Color(0xFFB0CE);
     private static final Color GROUND = new Color(0x23281F), FURROW = new Color(0x2A3026);
     private static final Color TRACKS = new Color(0x11140F), SCORCHED = new Color(0x171A14);
     private static final Color FIRE = new Color(0xFFD27F), SMOKE = new Color(0x5A5A52);
-    private static final Color BEYOND = new Color(0x14181B), INK = new Color(0xE8E8E8);
+    static final Color BEYOND = new Color(0x14181B), INK = new Color(0xE8E8E8), CALM = new Color(0x4CC38A);
 
-    // A tank's, in m
+    private static final Color[] HULLS = {WEST, EAST, THROWN, JITTERS};
+    private static final Color[] TURRETS = {WEST_TURRET, EAST_TURRET, THROWN_TURRET, JITTERS_TURRET};
+
+    // Of a tank, in m
     private static final double TURRET = 1.8, GUN = 2.8, BARREL = 0.55;
     private static final double THROWN_AT = 3; // m/s
     private static final double FLAME = 0.45, SMOKES = 1.6, COLD = 8, FLASH = 0.1; // s
     private static final double SQUARE = 25; // m
     private static final int CAPTION = 26; // pixels
+    private static final int MIXTURES = 8;
 
     private final Rectangle2D.Double box = new Rectangle2D.Double();
     private final Ellipse2D.Double circle = new Ellipse2D.Double();
     private final Line2D.Double line = new Line2D.Double();
-    private float[] xy = new float[0];
+    private float[] xy = {};
+
+    /** All colours, and mixtures for the edges of letters and for shapes that fade. */
+    static List<Color> palette() {
+        List<Color> palette = new ArrayList<>(List.of(GROUND, FURROW, TRACKS, SCORCHED, BEYOND));
+        palette.addAll(List.of(HULLS));
+        palette.addAll(List.of(TURRETS));
+        for (Color letters : List.of(INK, JITTERS, CALM)) mix(palette, BEYOND, letters);
+        for (Color light : List.of(SMOKE, FIRE, Color.WHITE)) mix(palette, GROUND, light);
+        mix(palette, FIRE, Color.WHITE);
+        return palette;
+    }
+
+    private static void mix(List<Color> palette, Color a, Color b) {
+        for (int i = 1; i <= MIXTURES; i++) {
+            int parts = i;
+            IntBinaryOperator mix = (from, to) -> from + (to - from) * parts / MIXTURES;
+            palette.add(new Color(
+                    mix.applyAsInt(a.getRed(), b.getRed()),
+                    mix.applyAsInt(a.getGreen(), b.getGreen()),
+                    mix.applyAsInt(a.getBlue(), b.getBlue())));
+        }
+    }
 
     void paint(Graphics2D g, int width, int height, Skirmish game) {
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
@@ -41,6 +71,13 @@ final class SkirmishPainter {
         g.fillRect(0, 0, width, height);
         AffineTransform pixels = g.getTransform(), map = map(width, height);
         g.transform(map);
+        paintField(g, game);
+        g.setTransform(pixels);
+        paintCaption(g, width, map.getScaleX(), String.format(Locale.ROOT, "t = %4.1f s", game.time()));
+    }
+
+    /** Draws the field without a caption; in metres. */
+    void paintField(Graphics2D g, Skirmish game) {
         paintGround(g);
         double time = game.time();
         for (Skirmish.Blast blast : game.blasts()) {
@@ -50,11 +87,9 @@ final class SkirmishPainter {
         paintTanks(g, game);
         for (Skirmish.Blast blast : game.blasts()) paintBlast(g, blast, time - blast.time());
         for (Skirmish.Shell shell : game.shells()) paintShell(g, shell, time);
-        g.setTransform(pixels);
-        paintCaption(g, width, map.getScaleX(), String.format(Locale.ROOT, "t = %4.1f s", time));
     }
 
-    /** From metres to pixels. */
+    /** The transform from metres to pixels. */
     static AffineTransform map(int width, int height) {
         double scale = Math.min(width / Skirmish.WIDTH, (height - CAPTION) / Skirmish.HEIGHT);
         double left = (width - scale * Skirmish.WIDTH) / 2;
@@ -75,13 +110,14 @@ final class SkirmishPainter {
         for (int i = 0; i < tanks.length; i++) paintTank(g, tanks[i], xy[2 * i], xy[2 * i + 1], game.time());
     }
 
-    /** A hull on tracks, which a pushed unit never turns, and a turret that aims. */
+    /** A hull on tracks, which never rotates, and a turret that aims. */
     private void paintTank(Graphics2D g, Tank tank, double x, double y, double time) {
-        boolean west = tank.isWest(), thrown = tank.isSliding(time) && tank.getSpeed() > THROWN_AT;
+        boolean thrown = tank.isSliding(time) && tank.getSpeed() > THROWN_AT;
+        int look = tank.jitters() ? 3 : thrown ? 2 : tank.isWest() ? 0 : 1;
         double length = Tank.LENGTH, breadth = Tank.BREADTH, hull = breadth - 0.7;
         fill(g, x - length / 2, y - breadth / 2, length, breadth, TRACKS);
-        fill(g, x - length / 2, y - hull / 2, length, hull, thrown ? THROWN : west ? WEST : EAST);
-        Color colour = thrown ? THROWN_TURRET : west ? WEST_TURRET : EAST_TURRET;
+        fill(g, x - length / 2, y - hull / 2, length, hull, HULLS[look]);
+        Color colour = TURRETS[look];
         disc(g, x, y, TURRET / 2, colour);
         stroke(g, x, y, x + GUN * tank.aimX(), y + GUN * tank.aimY(), BARREL, colour);
         if (time - tank.lastShot() < FLASH) disc(g, x + GUN * tank.aimX(), y + GUN * tank.aimY(), 1.1, FIRE);
@@ -101,7 +137,7 @@ final class SkirmishPainter {
         g.draw(circle);
     }
 
-    /** Its last few metres. */
+    /** The last few metres of its path. */
     private void paintShell(Graphics2D g, Skirmish.Shell shell, double time) {
         double flown = (time - shell.fired()) / (shell.bursts() - shell.fired());
         double dx = shell.x() - shell.fromX(), dy = shell.y() - shell.fromY();
@@ -142,15 +178,12 @@ final class SkirmishPainter {
         g.fill(circle);
     }
 
-    /** Above the field: what one sees, the two armies, and a scale. */
+    /** Above the field: the legend, the time and a scale. */
     private void paintCaption(Graphics2D g, int width, double scale, String caption) {
         g.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 13));
         int baseline = CAPTION - 8;
-        int x = 8;
-        x = key(g, x, baseline, "west", WEST);
-        x = key(g, x, baseline, "east", EAST);
-        x = key(g, x, baseline, "thrown by a blast", THROWN);
-        g.drawString(caption, x, baseline);
+        int text = legend(g, 8, baseline);
+        g.drawString(caption, text, baseline);
         int bar = (int) (50 * scale);
         int right = width - 8;
         int label = right - bar - 6 - g.getFontMetrics().stringWidth("50 m");
@@ -160,11 +193,19 @@ final class SkirmishPainter {
         g.drawLine(right, baseline - 8, right, baseline);
     }
 
-    private int key(Graphics2D g, int x, int baseline, String text, Color colour) {
-        fill(g, x, baseline - 9, 9, 9, colour);
-        g.setColor(INK);
-        g.drawString(text, x + 13, baseline);
-        return x + 13 + g.getFontMetrics().stringWidth(text) + 14;
+    /** Draws the names of the tanks' colours; returns the x at its end. */
+    static int legend(Graphics2D g, int left, int baseline) {
+        String[] names = {"west", "east", "thrown by a blast", "jitters"};
+        int size = g.getFontMetrics().getAscent() * 2 / 3, x = left;
+        for (int look = 0; look < names.length; look++) {
+            g.setColor(HULLS[look]);
+            g.fillRect(x, baseline - size, size, size);
+            g.setColor(INK);
+            x += size + 5;
+            g.drawString(names[look], x, baseline);
+            x += g.getFontMetrics().stringWidth(names[look]) + 14;
+        }
+        return x;
     }
 
     private void fill(Graphics2D g, double x, double y, double width, double height, Color colour) {

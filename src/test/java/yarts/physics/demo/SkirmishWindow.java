@@ -28,8 +28,8 @@ import javax.swing.Timer;
 import yarts.physics.Integrator;
 
 /**
- * Plays a skirmish live: a frame's real time goes into {@code World.advance}, and interpolated positions come out, however
- * few ticks a second there are.
+ * Plays a skirmish live. {@code World.advance} gets the real time of each frame, and the tanks are drawn at interpolated
+ * positions, which move smoothly at every tick rate.
  */
 final class SkirmishWindow {
     private static final Integer[] RATES = {15, 18, 20, 30, 60, 120};
@@ -53,7 +53,7 @@ final class SkirmishWindow {
         restart();
     }
 
-    /** Opens the window, and returns when it is closed. */
+    /** Opens the window and returns when it is closed. */
     static void show(Supplier<Skirmish> games) throws InterruptedException {
         CountDownLatch closed = new CountDownLatch(1);
         SwingUtilities.invokeLater(() -> new SkirmishWindow(games).open(closed));
@@ -72,7 +72,7 @@ final class SkirmishWindow {
         bar.add(pause);
         bar.add(restart);
         bar.addSeparator();
-        bar.add(new JLabel("Ticks a second "));
+        bar.add(new JLabel("Ticks per second "));
         bar.add(rate);
         bar.addSeparator();
         bar.add(new JLabel("Integrator "));
@@ -96,7 +96,7 @@ final class SkirmishWindow {
             }
         });
         frame.pack();
-        frame.setMinimumSize(new Dimension(680, 560)); // so that all controls can be seen
+        frame.setMinimumSize(new Dimension(680, 560)); // all controls are visible
         frame.setLocationByPlatform(true);
         frame.setVisible(true);
         last = System.nanoTime();
@@ -108,7 +108,7 @@ final class SkirmishWindow {
         apply();
     }
 
-    /** Takes over what the controls say. */
+    /** Applies the settings of the controls. */
     private void apply() {
         game.setIntegrator(integrator.getItemAt(integrator.getSelectedIndex()));
         game.setTicksPerSecond(ticksPerSecond());
@@ -123,9 +123,9 @@ final class SkirmishWindow {
         double z = Tank.FRICTION / ticksPerSecond();
         status.setText(String.format(
                 Locale.ROOT,
-                "z = f dt/m = %.2f: %,d of %,d tanks jitter%s. Click: a shell bursts there.",
+                "z = f dt/m = %.2f: %,d of %,d tanks jitter%s. Click: a blast there.",
                 z,
-                game.turned(),
+                game.jittering(),
                 game.tanks().length,
                 naive.isSelected() && z > 1 ? ", as z > 1" : ""));
     }
@@ -136,7 +136,7 @@ final class SkirmishWindow {
                     SkirmishPainter.map(field.getWidth(), field.getHeight()).inverseTransform(pixel, null);
             game.blastAt(metres.getX(), metres.getY());
         } catch (NoninvertibleTransformException e) {
-            // a field without an area: there is nothing to hit
+            // a field without an area has no place to hit
         }
     }
 
@@ -144,7 +144,7 @@ final class SkirmishWindow {
         return rate.getItemAt(rate.getSelectedIndex());
     }
 
-    /** Swing draws it into a buffer of its own first: it does not flicker. */
+    /** Swing draws it into a buffer first, so it does not flicker. */
     private final class Field extends JComponent {
         private static final long serialVersionUID = 1;
 

@@ -47,8 +47,8 @@ class SkirmishTest {
     /** A tank is 2.8 m broad. Only blasts bring some closer, for a moment; who has been left alone is farther off. */
     @ParameterizedTest
     @CsvSource({"500, 60", "150, 60", "250, 15", "1000, 60"})
-    void tanksKeepTheirDistance(int tanksAnArmy, int ticksPerSecond) {
-        Skirmish game = new Skirmish(tanksAnArmy, 3);
+    void tanksKeepTheirDistance(int tanksPerArmy, int ticksPerSecond) {
+        Skirmish game = new Skirmish(tanksPerArmy, 3);
         game.setTicksPerSecond(ticksPerSecond);
         Tank[] tanks = game.tanks();
         int samples = 100;
@@ -97,7 +97,7 @@ class SkirmishTest {
         Arrays.fill(nearest, Double.POSITIVE_INFINITY);
         for (double until = game.time() + seconds; game.time() < until; ) {
             game.tick();
-            for (int i = 0; i < tanks.length; i++) nearest[i] = Math.min(nearest[i], tanks[i].astray());
+            for (int i = 0; i < tanks.length; i++) nearest[i] = Math.min(nearest[i], tanks[i].distanceFromPlace());
         }
         return nearest;
     }
@@ -177,7 +177,7 @@ class SkirmishTest {
         double turned = 0;
         while (game.time() < 20) {
             game.tick();
-            turned += game.turned();
+            turned += game.jittering();
         }
         return turned / game.world().getTick() / game.tanks().length;
     }

@@ -4,8 +4,8 @@ import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
-import java.util.List;
 import java.util.Set;
+import java.util.regex.Pattern;
 import org.commonmark.ext.gfm.tables.TableBlock;
 import org.commonmark.node.AbstractVisitor;
 import org.commonmark.node.Code;
@@ -20,15 +20,20 @@ import prettify.PrettifyParser;
 import syntaxhighlight.ParseResult;
 
 /**
- * Makes a page one of the site. Links to pages lead to pages of the site, and those to other files to where these can be
- * read. Where a page first names a type of the library, the name is a link to its Javadoc. Code has colours, and wide
- * tables scroll by themselves.
+ * Changes a document into a page of the site. Links to documents lead to their pages, and links to other files lead to the
+ * repository on GitHub. The first mention of each type of the library links to its Javadoc. Code is coloured, and its long
+ * lines wrap. Wide tables scroll on their own.
  */
 final class Edit extends AbstractVisitor {
     private static final String REPOSITORY = "https://github.com/yarts/yarts-physics/";
     private static final String API = "api/yarts.physics/yarts/physics/";
 
     private static final Set<String> COLOURED = Set.of("java", "kotlin", "groovy", "xml", "json", "sh");
+
+    /** Marks a place for a line break until the code is coloured: a zero-width space. */
+    private static final String MARK = "\u200B";
+
+    private static final Pattern BREAK = Pattern.compile("(?<=\\w\\()(?=[^)])|(?=\\.[A-Za-z])");
 
     private final Path repository, api;
     private final Page page;
@@ -51,7 +56,7 @@ final class Edit extends AbstractVisitor {
         else if (!path.startsWith("docs/images/")) link.setDestination(REPOSITORY + "blob/main/" + file);
     }
 
-    /** A heading has no links in it. */
+    /** Adds no links to headings. */
     @Override
     public void visit(Heading heading) {}
 
@@ -74,18 +79,45 @@ final class Edit extends AbstractVisitor {
 
     @Override
     public void visit(FencedCodeBlock block) {
-        String language = block.getInfo().replaceFirst(" .*", ""), code = block.getLiteral();
-        StringBuilder text = new StringBuilder("<pre tabindex=\"0\"><code>");
-        HtmlWriter writer = new HtmlWriter(text);
-        List<ParseResult> parts = COLOURED.contains(language) ? new PrettifyParser().parse(language, code) : List.of();
-        for (ParseResult part : parts) {
-            text.append("<span class=\"").append(part.getStyleKeysString()).append("\">");
-            writer.text(code.substring(part.getOffset(), part.getOffset() + part.getLength()));
-            text.append("</span>");
+        String language = block.getInfo().replaceFirst(" .*", "");
+        String code = block.getLiteral();
+        StringBuilder text = new StringBuilder();
+        if (COLOURED.contains(language)) {
+            text.append("<pre class=\"wrapped\"><code>");
+            String[] coloured = coloured(language, code).split("\n", -1), lines = code.split("\n", -1);
+            for (int i = 0; i < lines.length - 1; i++) {
+                int indent = lines[i].length() - lines[i].stripLeading().length();
+                text.append("<span class=\"line\"").append(indent > 0 ? " style=\"--indent:" + indent + "\"" : "");
+                text.append('>').append(coloured[i]).append("\n</span>");
+            }
+        } else {
+            text.append("<pre tabindex=\"0\"><code>");
+            new HtmlWriter(text).text(code);
         }
-        if (parts.isEmpty()) writer.text(code);
         block.insertBefore(html(text.append("</code></pre>").toString()));
         block.unlink();
+    }
+
+    /** {@return code as HTML; no element spans lines, and a long line can break in front of a method or an argument} */
+    private static String coloured(String language, String code) {
+        StringBuilder text = new StringBuilder();
+        HtmlWriter writer = new HtmlWriter(text);
+        String breakable = BREAK.matcher(code).replaceAll(MARK);
+        for (ParseResult part : new PrettifyParser().parse(language, breakable)) {
+            String separator = "";
+            for (String piece : breakable
+                    .substring(part.getOffset(), part.getOffset() + part.getLength())
+                    .split("\n", -1)) {
+                text.append(separator)
+                        .append("<span class=\"")
+                        .append(part.getStyleKeysString())
+                        .append("\">");
+                writer.text(piece);
+                text.append("</span>");
+                separator = "\n";
+            }
+        }
+        return text.toString().replace(MARK, "<wbr>");
     }
 
     private static Node html(String text) {

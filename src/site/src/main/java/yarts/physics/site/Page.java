@@ -4,10 +4,10 @@ import org.commonmark.node.Node;
 import org.commonmark.renderer.text.TextContentRenderer;
 
 /**
- * A page.
+ * A page that is made from a document.
  *
- * @param file where it is in the repository: README.md, docs/guide.md
- * @param content what it says
+ * @param file the document's path in the repository: README.md, docs/guide.md
+ * @param content its parsed text
  */
 record Page(String file, Node content) {
     private static final TextContentRenderer PLAIN =
@@ -17,7 +17,12 @@ record Page(String file, Node content) {
         return file.equals("README.md");
     }
 
-    /** {@return where it is in the site} */
+    /** {@return the document's name without folder and extension: README, guide} */
+    String name() {
+        return file.replaceAll(".*/|\\.md$", "");
+    }
+
+    /** {@return its path in the site} */
     String html() {
         return html(file);
     }
@@ -26,7 +31,7 @@ record Page(String file, Node content) {
         return file.replaceFirst("^README\\.md", "index.html").replaceFirst("\\.md", ".html");
     }
 
-    /** {@return the way from it to the root of the site} */
+    /** {@return the relative path from it to the root of the site} */
     String root() {
         return "../".repeat(file.split("/").length - 1);
     }

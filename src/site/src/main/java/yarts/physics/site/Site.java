@@ -6,7 +6,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 import org.commonmark.Extension;
@@ -16,19 +15,12 @@ import org.commonmark.parser.Parser;
 import org.commonmark.renderer.html.HtmlRenderer;
 
 /**
- * Writes the site: a page from README.md and from each Markdown file in docs, in the folders that they have in the repository, so
- * that links and pictures are where the text looks for them.
+ * Writes the site: one page for README.md and one for each Markdown file in docs. The pages are in the same folders as these
+ * files, so that relative links and pictures work.
  *
  * <pre>{@code java -cp … yarts.physics.site.Site <repository> <site>}</pre>
  */
 public final class Site {
-    /** The order of the pages in the navigation. Others come last. */
-    private static final List<String> ORDER = List.of(
-            "README getting-started guide cookbook two-hundred-tanks troubleshooting engines adopting lockstep snapshots"
-                    .concat(
-                            " limits physics jitters comparison benchmarks changelog contributing quality source releasing")
-                    .split(" "));
-
     private static final List<Extension> EXTENSIONS =
             List.of(TablesExtension.create(), HeadingAnchorExtension.create());
     private static final Parser PARSER = Parser.builder().extensions(EXTENSIONS).build();
@@ -37,6 +29,7 @@ public final class Site {
 
     private final Path repository, site;
     private final List<Page> pages = new ArrayList<>();
+    private final Menu menu;
 
     private Site(Path repository, Path site) throws IOException {
         this.repository = repository;
@@ -48,7 +41,7 @@ public final class Site {
                     .forEach(files::add);
         }
         for (String file : files) pages.add(new Page(file, PARSER.parse(Files.readString(repository.resolve(file)))));
-        pages.sort(Comparator.comparing(Site::rank).thenComparing(Page::file));
+        menu = new Menu(pages);
     }
 
     public static void main(String[] args) throws IOException {
@@ -56,15 +49,12 @@ public final class Site {
         site.copyPictures();
         site.write("site.css", resource("site.css"));
         for (Page page : site.pages) site.write(page);
-    }
-
-    private static int rank(Page page) {
-        int rank = ORDER.indexOf(page.file().replaceAll(".*/|\\.md", ""));
-        return rank < 0 ? ORDER.size() : rank;
+        site.removeFonts();
     }
 
     private void write(Page page) throws IOException {
         page.content().accept(new Edit(repository, site, page));
+        String content = RENDERER.render(page.content());
         String html = resource("page.html")
                 .replace(
                         "{title}",
@@ -72,22 +62,9 @@ public final class Site {
                                 ? page.title()
                                 : page.title() + " · " + pages.get(0).title())
                 .replace("{root}", page.root())
-                .replace("{navigation}", navigation(page))
-                .replace("{content}", RENDERER.render(page.content()));
+                .replace("{menu}", menu.html(page))
+                .replace("{content}", page.isFirst() ? content : Contents.addTo(content));
         write(page.html(), html);
-    }
-
-    private String navigation(Page here) {
-        StringBuilder links = new StringBuilder();
-        for (Page page : pages) {
-            links.append(link(here, page.html(), page == here ? " aria-current=\"page\"" : "", page.title()));
-            if (page.isFirst()) links.append(link(here, "skirmish/index.html", "", "Skirmish, live"));
-        }
-        return links.append(link(here, "api/index.html", "", "Javadoc")).toString();
-    }
-
-    private static String link(Page from, String to, String attribute, String text) {
-        return "<a href=\"" + from.root() + to + '"' + attribute + '>' + text + "</a>\n";
     }
 
     private void copyPictures() throws IOException {
@@ -96,6 +73,17 @@ public final class Site {
                 Path copy = site.resolve("docs/images").resolve(picture.getFileName());
                 Files.createDirectories(copy.getParent());
                 Files.write(copy, Files.readAllBytes(picture));
+            }
+        }
+    }
+
+    /** The Javadoc's style sheet imports a font file that not every JDK has. Without it, the fonts are the system's. */
+    private void removeFonts() throws IOException {
+        try (Stream<Path> files = Files.walk(site.resolve("api"))) {
+            for (Path css :
+                    files.filter(file -> file.endsWith("stylesheet.css")).toList()) {
+                String text = Files.readString(css);
+                Files.writeString(css, text.replaceAll("@import url\\([^)]*fonts[^)]*\\);", ""));
             }
         }
     }

@@ -11,11 +11,11 @@ import org.teavm.jso.dom.html.HTMLSelectElement;
 import yarts.physics.Integrator;
 
 /**
- * The page: the same skirmish twice, by the naive rule and by the library, tick by tick beside each other. It keeps the time
- * itself, for both: so the state at a tick depends on what was done alone, and not on when frames were drawn.
+ * The page: one skirmish twice, by the naive rule and by the library, at the same ticks. The page keeps the time for both
+ * games, so the state at a tick depends only on the inputs, not on the times of the frames.
  */
 public final class Page {
-    /** What a frame catches up with at most; in seconds. */
+    /** Longer frames count as this long; in seconds. */
     private static final double LONGEST_FRAME = 0.25;
 
     /** Ticks from one hash to the next. */
@@ -30,7 +30,7 @@ public final class Page {
 
     private boolean paused;
     private double last;
-    /** Time that no tick has covered yet; in ticks. */
+    /** The time since the last tick; in ticks. */
     private double rest;
 
     private int frames;
@@ -67,7 +67,7 @@ public final class Page {
         String on = ((HTMLElement) e.getTarget()).getTagName();
         boolean arrow = e.getKey().startsWith("Arrow");
         if (arrow && !on.equals("BODY") || e.getKey().equals(" ") && on.equals("BUTTON"))
-            return; // these have their own
+            return; // the control handles the key itself
         switch (e.getKey()) {
             case " ":
                 pause();
@@ -103,7 +103,7 @@ public final class Page {
     }
 
     private void move(HTMLInputElement slider, int by) {
-        slider.setValue(String.valueOf(Integer.parseInt(slider.getValue()) + by)); // it knows its limits
+        slider.setValue(String.valueOf(Integer.parseInt(slider.getValue()) + by)); // the slider keeps to its limits
         set();
     }
 
@@ -131,7 +131,7 @@ public final class Page {
         if (paused) showHash();
     }
 
-    /** Pauses, and plays a tick. */
+    /** Pauses and plays one tick. */
     private void stepOnce() {
         if (!paused) pause();
         rest = 0;

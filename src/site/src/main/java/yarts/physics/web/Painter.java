@@ -4,12 +4,12 @@ import org.teavm.jso.canvas.CanvasRenderingContext2D;
 import yarts.physics.demo.Skirmish;
 import yarts.physics.demo.Tank;
 
-/** Draws a skirmish in metres: one path for all that has one colour, since a canvas is slow to change it. */
+/** Draws a skirmish, in metres. It draws all shapes of one colour together, because a canvas changes its colour slowly. */
 final class Painter {
     private static final String GROUND = "#23281f", FURROW = "#2a3026", TRACKS = "#11140f", SCORCHED = "#171a14";
     private static final String FIRE = "#ffd27f", SMOKE = "#5a5a52", RING = "#ffffff";
 
-    /** What a tank may look like: its hull and its turret. */
+    /** The colours of a tank, as indices of the two arrays below. */
     private static final int WEST = 0, EAST = 1, THROWN = 2, JITTERS = 3;
 
     private static final String[] HULL = {"#b87e00", "#3e8ab5", "#b4b4b4", "#c2185b"};
@@ -24,7 +24,7 @@ final class Painter {
     private float[] xy = {};
     private int[] looks = {};
 
-    void paint(CanvasRenderingContext2D g, Skirmish game, Jitters jitters, double alpha) {
+    void paint(CanvasRenderingContext2D g, Skirmish game, double alpha) {
         ground(g);
         double time = game.time();
         g.setFillStyle(SCORCHED);
@@ -32,7 +32,7 @@ final class Painter {
             double left = 1 - (time - blast.time()) / COLD;
             if (left > 0) disc(g, blast.x(), blast.y(), 3.5 * Math.min(1, 2 * left));
         }
-        tanks(g, game, jitters, alpha);
+        tanks(g, game, alpha);
         for (Skirmish.Blast blast : game.blasts()) blast(g, blast.x(), blast.y(), time - blast.time());
         g.setGlobalAlpha(1);
         for (Skirmish.Shell shell : game.shells()) shell(g, shell, time);
@@ -46,8 +46,8 @@ final class Painter {
         for (double y = SQUARE; y < Skirmish.HEIGHT; y += SQUARE) g.fillRect(0, y, Skirmish.WIDTH, 0.5);
     }
 
-    /** Hulls on tracks, which no push turns, and turrets that aim. */
-    private void tanks(CanvasRenderingContext2D g, Skirmish game, Jitters jitters, double alpha) {
+    /** Hulls on tracks, which never rotate, and turrets that aim. */
+    private void tanks(CanvasRenderingContext2D g, Skirmish game, double alpha) {
         Tank[] tanks = game.tanks();
         if (looks.length != tanks.length) {
             looks = new int[tanks.length];
@@ -55,7 +55,7 @@ final class Painter {
         }
         game.world().copyPositions(xy, 0, alpha);
         double time = game.time();
-        for (int i = 0; i < tanks.length; i++) looks[i] = look(tanks[i], jitters.has(i), time);
+        for (int i = 0; i < tanks.length; i++) looks[i] = look(tanks[i], time);
         g.setFillStyle(TRACKS);
         for (int i = 0; i < tanks.length; i++) rectangle(g, i, LENGTH, BREADTH);
         for (int look = WEST; look <= JITTERS; look++) {
@@ -83,13 +83,13 @@ final class Painter {
         }
     }
 
-    private static int look(Tank tank, boolean jitters, double time) {
-        if (jitters) return JITTERS;
+    private static int look(Tank tank, double time) {
+        if (tank.jitters()) return JITTERS;
         if (tank.isSliding(time) && tank.getSpeed() > THROWN_AT) return THROWN;
         return tank.isWest() ? WEST : EAST;
     }
 
-    /** About a tank. */
+    /** Around a tank's position. */
     private void rectangle(CanvasRenderingContext2D g, int tank, double length, double breadth) {
         g.fillRect(xy[2 * tank] - length / 2, xy[2 * tank + 1] - breadth / 2, length, breadth);
     }
@@ -112,7 +112,7 @@ final class Painter {
         g.stroke();
     }
 
-    /** Its last few metres. */
+    /** The last few metres of its path. */
     private static void shell(CanvasRenderingContext2D g, Skirmish.Shell shell, double time) {
         double flown = (time - shell.fired()) / (shell.bursts() - shell.fired());
         double tail = Math.max(0, flown - (shell.heavy() ? 0.12 : 0.06));

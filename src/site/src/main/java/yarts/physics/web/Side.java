@@ -10,28 +10,27 @@ import org.teavm.jso.dom.html.HTMLElement;
 import yarts.physics.Integrator;
 import yarts.physics.demo.Skirmish;
 
-/** One of the two games on the page, with its canvas and its readouts: by the naive rule, or by the library. */
+/** One of the two games on the page, by the naive rule or by the library, with its canvas and its displays. */
 final class Side {
-    /** Tells where somebody has tapped, in metres. */
+    /** Receives the place of a click or tap, in metres. */
     interface Tap {
         void at(double x, double y);
     }
 
-    static final int TANKS_AN_ARMY = 480;
+    static final int TANKS_PER_ARMY = 480;
     static final long SEED = 1;
 
-    /** The part of the map that is drawn: the front. In m. */
+    /** The part of the map that is drawn, around the front; in m. */
     static final double VIEW_WIDTH = 240, VIEW_HEIGHT = 160;
 
     static final double VIEW_X = (Skirmish.WIDTH - VIEW_WIDTH) / 2, VIEW_Y = (Skirmish.HEIGHT - VIEW_HEIGHT) / 2;
-    /** More pixels than two for one of the page's are not seen, but cost time. */
+    /** Device pixels per CSS pixel. More are not visible and cost time. */
     private static final double MOST_PIXELS = 2;
 
     private final boolean naive;
     private final HTMLCanvasElement canvas;
     private final HTMLElement jittering, hash, hashTick;
     private final Painter painter = new Painter();
-    private final Jitters jitters = new Jitters(2 * TANKS_AN_ARMY);
     private Skirmish game;
 
     Side(String name, boolean naive, Tap tap) {
@@ -48,9 +47,8 @@ final class Side {
     }
 
     void restart() {
-        game = new Skirmish(TANKS_AN_ARMY, SEED);
+        game = new Skirmish(TANKS_PER_ARMY, SEED);
         game.setNaive(naive);
-        jitters.clear();
     }
 
     void set(double friction, int ticksPerSecond, Integrator integrator) {
@@ -61,7 +59,6 @@ final class Side {
 
     void tick() {
         game.tick();
-        jitters.look(game.world());
     }
 
     long ticks() {
@@ -72,7 +69,7 @@ final class Side {
         game.blastAt(x, y);
     }
 
-    /** Draws the game as it is between its last two ticks. */
+    /** Draws the game between its last two ticks. */
     void paint(double alpha) {
         double pixels = Math.min(MOST_PIXELS, Window.current().getDevicePixelRatio());
         int width = (int) (pixels * canvas.getClientWidth()), height = (int) (width * VIEW_HEIGHT / VIEW_WIDTH);
@@ -81,11 +78,11 @@ final class Side {
         CanvasRenderingContext2D g = (CanvasRenderingContext2D) canvas.getContext("2d");
         double scale = width / VIEW_WIDTH;
         g.setTransform(scale, 0, 0, scale, -VIEW_X * scale, -VIEW_Y * scale);
-        painter.paint(g, game, jitters, alpha);
+        painter.paint(g, game, alpha);
     }
 
     void showJitters() {
-        jittering.setTextContent(String.valueOf(jitters.count()));
+        jittering.setTextContent(String.valueOf(game.jittering()));
     }
 
     void showHash() {

@@ -18,12 +18,12 @@ import org.jsoup.nodes.Element;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
-/** Reads every page of the built site. What lies elsewhere is not fetched. */
+/** Checks the links of every page of the built site. Pages of other sites are not loaded. */
 class LinksTest {
     private static final Path SITE = Path.of(System.getProperty("site")).normalize();
     private static final Path REPOSITORY =
             Path.of(System.getProperty("repository")).normalize();
-    /** Where a link to a file of the repository leads. */
+    /** The address of the repository's files. */
     private static final String SOURCES = "https://github\\.com/yarts/yarts-physics/(blob|tree)/main/";
 
     private static final Map<Path, Document> PAGES = new HashMap<>();
@@ -49,8 +49,8 @@ class LinksTest {
             }
         });
         assertEquals("", String.join("\n", dead));
-        System.out.println(alive[0] + " links on " + PAGES.size() + " pages lead somewhere");
-        assertTrue(alive[0] > 500, "fewer than the Javadoc alone has");
+        System.out.println(alive[0] + " links on " + PAGES.size() + " pages work");
+        assertTrue(alive[0] > 500, "the Javadoc alone has more");
     }
 
     private static boolean leads(Path page, String link) {
@@ -72,9 +72,9 @@ class LinksTest {
                 || !page.getElementsByAttributeValue("name", place).isEmpty();
     }
 
-    /** The colours of code leave its text as it is. */
+    /** Colours and line breaks do not change the text of code. */
     @Test
-    void codeIsWhatTheDocumentsSay() throws IOException {
+    void codeIsTheTextOfTheDocuments() throws IOException {
         for (String name : List.of("README.md", "docs/guide.md", "docs/lockstep.md")) {
             String written = Files.readString(REPOSITORY.resolve(name));
             Document page = PAGES.get(SITE.resolve(Page.html(name)));
@@ -85,7 +85,7 @@ class LinksTest {
     }
 
     @Test
-    void everyDocumentIsInTheNavigationOfEachOther() throws IOException {
+    void everyDocumentIsInTheMenuOfEveryOther() throws IOException {
         List<Path> documents = new ArrayList<>(List.of(SITE.resolve("index.html")));
         try (Stream<Path> files = Files.walk(REPOSITORY.resolve("docs"))) {
             files.map(file -> REPOSITORY.relativize(file).toString())
@@ -93,10 +93,10 @@ class LinksTest {
                     .forEach(name -> documents.add(SITE.resolve(Page.html(name))));
         }
         for (Path page : documents) {
-            List<Path> links = PAGES.get(page).select("nav a").eachAttr("href").stream()
+            List<Path> links = PAGES.get(page).select("nav.menu a").eachAttr("href").stream()
                     .map(link -> page.resolveSibling(link).normalize())
                     .toList();
-            assertTrue(links.containsAll(documents), () -> page + " leads to " + links);
+            assertTrue(links.containsAll(documents), () -> page + " links to " + links);
         }
     }
 }

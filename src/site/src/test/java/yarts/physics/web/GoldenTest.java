@@ -10,11 +10,11 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.openqa.selenium.chrome.ChromeDriver;
 
-/** What TeaVM makes of the library has the bits that it has on this JVM, as JavaScript and as WebAssembly. */
+/** The library, compiled by TeaVM to JavaScript and WebAssembly, computes the same bits as on this JVM. */
 @Tag("long")
 class GoldenTest {
     private static final Path FOLDER = Path.of(System.getProperty("golden")).normalize();
-    /** The first node whose WebAssembly has garbage collection. */
+    /** The first version of node whose WebAssembly has garbage collection. */
     private static final int NODE_WITH_GC = 22;
 
     private static String expected;
@@ -34,7 +34,7 @@ class GoldenTest {
     void webAssemblyInNode() throws Exception {
         String version = Programs.node("-p", "process.versions.node");
         boolean gc = Integer.parseInt(version.split("\\.")[0]) >= NODE_WITH_GC;
-        if (!gc) System.out.println("node " + version + " has no WebAssembly with garbage collection: left out");
+        if (!gc) System.out.println("node " + version + " has no WebAssembly with garbage collection: skipped");
         assumeTrue(gc, "node " + version);
         String load = "require(process.argv[1]); TeaVM.wasmGC.load(process.argv[2]).then(t => t.exports.main([]))";
         assertEquals(expected, Programs.node("-e", load, file("golden.wasm-runtime.js"), file("golden.wasm")));
@@ -55,7 +55,7 @@ class GoldenTest {
         assertEquals(expected, inChromium("<script src=golden.wasm-runtime.js></script><script>" + load + "</script>"));
     }
 
-    /** {@return what a page with some scripts prints on the console} */
+    /** {@return the text that a page with some scripts prints on the console} */
     private static String inChromium(String scripts) throws IOException {
         String capture = "<script>var text = '', over = false; function done() { over = true }"
                 + "console.log = console.info = line => text += line + '\\n'</script>";

@@ -20,11 +20,11 @@ import org.openqa.selenium.logging.LogType;
 import org.openqa.selenium.logging.LoggingPreferences;
 import org.openqa.selenium.support.ui.WebDriverWait;
 
-/** The programs in which what is compiled for the web runs: from the PATH, and a test without them is left out. */
+/** The programs that run code compiled for the web. They come from the PATH; tests whose program is missing are skipped. */
 final class Programs {
     private static final Duration PATIENCE = Duration.ofMinutes(2), POLL = Duration.ofMillis(20);
 
-    /** It says of every Chromium that it does not know it by its version; nothing here depends on that. */
+    /** Warns that it does not know the version of Chromium; nothing here depends on that. */
     private static final Logger SELENIUM = Logger.getLogger("org.openqa.selenium");
 
     private Programs() {}
@@ -38,11 +38,11 @@ final class Programs {
             }
         }
         String missing = "no " + String.join(" or ", names) + " on the PATH";
-        System.out.println(missing + ": what runs in it is left out");
+        System.out.println(missing + ": its tests are skipped");
         return abort(missing);
     }
 
-    /** {@return a headless Chromium, as a telephone if the width of its screen says so} */
+    /** {@return a headless Chromium; it emulates a phone if the width is below 600 pixels} */
     static ChromeDriver chromium(int width, int height) {
         Path chromium = find("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome");
         ChromeOptions options = new ChromeOptions();
@@ -64,12 +64,12 @@ final class Programs {
         return new ChromeDriver(service, options);
     }
 
-    /** Waits for something to be true of a page. */
+    /** Waits until a condition is true. */
     static void until(ChromeDriver chromium, BooleanSupplier condition) {
         new WebDriverWait(chromium, PATIENCE, POLL).until(driver -> condition.getAsBoolean());
     }
 
-    /** {@return what a script prints in node} */
+    /** {@return the output of a script in node} */
     static String node(String... arguments) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(find("node").toString()));
         command.addAll(List.of(arguments));

@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Serves a page, and beside it the files of a folder: a browser loads no WebAssembly from files. */
+/** Serves a page and the files of a folder over HTTP, because a browser does not load WebAssembly from files. */
 final class Server implements AutoCloseable {
     private final HttpServer server;
 

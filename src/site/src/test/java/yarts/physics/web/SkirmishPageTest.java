@@ -1,6 +1,7 @@
 package yarts.physics.web;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -18,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.openqa.selenium.By;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.OutputType;
+import org.openqa.selenium.Rectangle;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.chrome.ChromeDriver;
 import org.openqa.selenium.interactions.Actions;
@@ -29,7 +31,7 @@ import org.openqa.selenium.support.ui.Select;
 import yarts.physics.Integrator;
 import yarts.physics.demo.Skirmish;
 
-/** The page in a browser does what it says, and plays what this JVM plays, to the bit. */
+/** The page works in a browser as its text says, and plays the same games as this JVM, to the bit. */
 @Tag("long")
 class SkirmishPageTest {
     private static final Path PAGE =
@@ -57,7 +59,7 @@ class SkirmishPageTest {
         until(() -> number("tick") > 0);
     }
 
-    /** Whatever a test did, nobody complained. */
+    /** No test may leave a message on the console. */
     @AfterEach
     void closeAQuietBrowser() {
         if (chromium == null) return;
@@ -76,12 +78,12 @@ class SkirmishPageTest {
         String naive = picture("naive"), library = picture("library");
         until(() -> number("tick") >= 20 * 30);
         assertTrue(!picture("naive").equals(naive) && !picture("library").equals(library));
-        assertTrue(number("fps") >= 10, text("fps")); // 60 on a machine that has nothing else to do
+        assertTrue(number("fps") >= 10, text("fps")); // 60 on an idle machine
         screenshot("desktop");
-        System.out.println("The page draws " + text("fps") + " frames a second; its work for one, in ms: " + work());
+        System.out.println("The page draws " + text("fps") + " frames/s; its script takes, in ms for each: " + work());
     }
 
-    /** {@return how long the page's script works on a frame} */
+    /** {@return the time that the page's script takes for a frame} */
     private Object work() {
         chromium.manage().timeouts().scriptTimeout(Duration.ofMinutes(1));
         return chromium.executeAsyncScript("const done = arguments[0], real = window.requestAnimationFrame, ms = [];"
@@ -110,12 +112,12 @@ class SkirmishPageTest {
         screenshot("grows");
     }
 
-    /** That a tank turns to and fro between its neighbours happens to the best. */
+    /** Under every rule, neighbours may push a tank to and fro for a moment. */
     private void assertFew(String readout) {
         for (int i = 0; i < 100; i++) assertTrue(number(readout) <= 4, text(readout) + " at tick " + text("tick"));
     }
 
-    /** Also of two loads, since this JVM is the same. */
+    /** It follows that two loads of the page play the same too. */
     @Test
     void thePageAndThisJvmPlayTheSame() {
         openOnDesktop();
@@ -158,7 +160,7 @@ class SkirmishPageTest {
                         .addAction(finger.createPointerUp(PointerInput.MouseButton.LEFT.asArg())))));
     }
 
-    /** Has a finger come down so many pixels to the right of the centre of a field, where tanks are, and 10 below it. */
+    /** Presses a point of a canvas where tanks are: some pixels to the right of its centre, and 10 below it. */
     private void assertBlast(String field, int right, BiConsumer<WebElement, Integer> finger) {
         press(" ", "r", ".", ".", ".");
         String before = text("library-hash");
@@ -202,7 +204,7 @@ class SkirmishPageTest {
         for (int i = 0; i < 3; i++) press(".");
         assertEquals(hash(3, true, Integrator.SEMI_IMPLICIT, 45, 25, game -> {}), text("naive-hash"));
         chromium.findElement(By.id("restart")).click();
-        press(" "); // goes on, rather than press the button again
+        press(" "); // continues; does not press the button again
         assertEquals("Pause", text("pause"));
         until(() -> number("tick") > 5);
     }
@@ -222,10 +224,32 @@ class SkirmishPageTest {
         screenshot("phone-end");
     }
 
-    /** {@return the readout after so many ticks on this JVM} */
+    @Test
+    void theLegendAndTheControlsAreVisibleWithoutScrolling() {
+        open(1280, 800);
+        for (String id : List.of("legend", "naive", "library", "friction", "pause", "integrator")) {
+            int bottom = bottom(id);
+            assertTrue(bottom <= 800, id + " ends at " + bottom);
+        }
+    }
+
+    private int bottom(String id) {
+        Rectangle place = chromium.findElement(By.id(id)).getRect();
+        return place.y + place.height;
+    }
+
+    /** The two games are side by side or one below the other. */
+    @Test
+    void theTextDoesNotDependOnTheLayout() {
+        openOnPhone();
+        String text = (String) chromium.executeScript("return document.body.textContent");
+        assertFalse(text.matches("(?is).*\\b(left|right|beside|above it|below it)\\b.*"), text);
+    }
+
+    /** {@return the hash after some ticks on this JVM} */
     private static String hash(
             int ticks, boolean naive, Integrator integrator, int friction, int rate, Consumer<Skirmish> beforeTick) {
-        Skirmish game = new Skirmish(Side.TANKS_AN_ARMY, Side.SEED);
+        Skirmish game = new Skirmish(Side.TANKS_PER_ARMY, Side.SEED);
         game.setNaive(naive);
         game.setFriction(friction);
         game.setTicksPerSecond(rate);
@@ -252,7 +276,7 @@ class SkirmishPageTest {
                 value);
     }
 
-    /** {@return what some elements say at one moment} */
+    /** {@return the texts of some elements at one moment} */
     private String text(Object... ids) {
         return (String) chromium.executeScript(
                 "return [...arguments].map(id => document.getElementById(id).textContent).join(' ')", ids);
