@@ -4,17 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
 import java.util.Random;
-import java.util.Set;
-import java.util.TreeSet;
-import java.util.function.DoubleToIntFunction;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Assume;
 import net.jqwik.api.Combinators;
 import net.jqwik.api.ForAll;
-import net.jqwik.api.GenerationMode;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.DoubleRange;
@@ -432,172 +427,6 @@ class CookbookPropertyTest {
     @Provide
     Arbitrary<Double> offsets() {
         return Arbitraries.oneOf(Doubles.signedLogUniform(1e-150, 20), Arbitraries.just(0.0));
-    }
-
-    // Groups
-
-    @Property
-    void theGridFindsEachPairThatIsNearOnceOnTheMapAndOffIt(
-            @ForAll long seed,
-            @ForAll @IntRange(min = 0, max = 300) int n,
-            @ForAll @IntRange(min = 1, max = 40) int cells) {
-        double reach = 4;
-        Random random = new Random(seed);
-        double[] x = new double[n], y = new double[n];
-        for (int i = 0; i < n; i++) {
-            x[i] = reach * cells * (1.5 * random.nextDouble() - 0.25);
-            y[i] = reach * cells * (1.5 * random.nextDouble() - 0.25);
-            if (random.nextInt(4) == 0) y[i] = reach * Math.rint(y[i] / reach); // on the edge of a cell
-        }
-        Set<Long> found = new TreeSet<>(), near = new TreeSet<>();
-        int side = cells + 2;
-        int[] around = {-side - 1, -side, -side + 1, -1, 0, 1, side - 1, side, side + 1};
-        DoubleToIntFunction cell = v -> (int) Math.max(1, Math.min(side - 2, 1 + v / reach));
-        int[] head = new int[side * side], next = new int[n];
-        Arrays.fill(head, -1);
-        for (int i = 0; i < n; i++) {
-            int home = side * cell.applyAsInt(y[i]) + cell.applyAsInt(x[i]);
-            for (int step : around) {
-                for (int j = head[home + step]; j >= 0; j = next[j]) {
-                    if (Math.hypot(x[i] - x[j], y[i] - y[j]) < reach) assertTrue(found.add(1000L * i + j), "twice");
-                }
-            }
-            next[i] = head[home];
-            head[home] = i;
-        }
-        for (int i = 0; i < n; i++) {
-            for (int j = 0; j < i; j++) if (Math.hypot(x[i] - x[j], y[i] - y[j]) < reach) near.add(1000L * i + j);
-        }
-        assertEquals(near, found);
-    }
-
-    /** Where the units of a crowd come from. */
-    private enum Start {
-        SCATTERED,
-        ONE_POINT,
-        COLUMN
-    }
-
-    /** 200 units with one goal, (0, 0), that push each other apart. */
-    private static final class Crowd {
-        static final double REACH = 3, A = 3, B = 8, TOP = 10;
-        static final int SIDE = 300, UNITS = 200;
-
-        final World world;
-        final boolean[] brakes = new boolean[UNITS];
-        private final double k, lag;
-        private final boolean mayBrake;
-        private final int[] head = new int[SIDE * SIDE], next = new int[UNITS];
-
-        Crowd(Integrator integrator, int rate, double separation, Start start, boolean mayBrake) {
-            world = new World(integrator, Timestep.fixed(rate));
-            k = separation * 1000;
-            lag = lag(integrator, 0);
-            this.mayBrake = mayBrake;
-            Random random = new Random(rate);
-            for (int i = 0; i < UNITS; i++) {
-                Unit unit = world.add(new Unit(1000).setMaxSpeed(TOP));
-                if (start == Start.SCATTERED)
-                    unit.setPosition(160 * random.nextDouble() - 80, 160 * random.nextDouble() - 80);
-                if (start == Start.COLUMN) unit.setPosition(-150 + 3 * (i % 20), 3 * (i / 20));
-            }
-            world.addBeforeStep((w, dt) -> step(dt));
-        }
-
-        private void step(double dt) {
-            Arrays.fill(head, -1);
-            for (int i = 0; i < UNITS; i++) {
-                int home = SIDE * cell(world.get(i).getY()) + cell(world.get(i).getX());
-                for (int row = -SIDE; row <= SIDE; row += SIDE) {
-                    for (int at = home + row - 1; at <= home + row + 1; at++) {
-                        for (int j = head[at]; j >= 0; j = next[j]) push(i, j);
-                    }
-                }
-                next[i] = head[home];
-                head[home] = i;
-            }
-            for (int i = 0; i < UNITS; i++) {
-                Unit unit = world.get(i);
-                if (mayBrake && Math.hypot(unit.getX(), unit.getY()) < 1) brakes[i] = true;
-                if (brakes[i]) unit.setMotor(0, 0, 1000 * B);
-                else arrive(unit, 0, 0, TOP, A, B, lag, dt);
-            }
-        }
-
-        private static int cell(double v) {
-            return (int) Math.max(1, Math.min(SIDE - 2, SIDE / 2.0 + v / REACH));
-        }
-
-        private void push(int i, int j) {
-            Unit p = world.get(i), q = world.get(j);
-            double dx = p.getX() - q.getX(), dy = p.getY() - q.getY();
-            if (dx == 0 && dy == 0) {
-                dx = 1e-3 * StrictMath.cos(i);
-                dy = 1e-3 * StrictMath.sin(i);
-            }
-            double distance = Math.sqrt(dx * dx + dy * dy), push = k * (REACH / distance - 1);
-            if (distance >= REACH) return;
-            p.applyForce(push * dx, push * dy);
-            q.applyForce(-push * dx, -push * dy);
-            if (brakes[i] && p.getSpeed() == 0) brakes[j] = true;
-            if (brakes[j] && q.getSpeed() == 0) brakes[i] = true;
-        }
-
-        double[] positions() {
-            double[] xy = new double[2 * UNITS];
-            world.copyPositions(xy, 0, 1);
-            return xy;
-        }
-
-        double meanSpeed() {
-            double sum = 0;
-            for (Unit unit : world) sum += unit.getSpeed();
-            return sum / UNITS;
-        }
-
-        boolean isCalm() {
-            for (int i = 0; i < UNITS; i++) if (!brakes[i] || world.get(i).getSpeed() != 0) return false;
-            return true;
-        }
-    }
-
-    @Provide
-    Arbitrary<Integer> crowdRates() {
-        return Arbitraries.of(20, 60, 240);
-    }
-
-    /** For good: if nothing moves and all brake, the next step computes the same from the same. */
-    @Property(generation = GenerationMode.EXHAUSTIVE)
-    void aCrowdThatBrakesComesToRestForGood(
-            @ForAll Integrator integrator,
-            @ForAll("crowdRates") int rate,
-            @ForAll Start start,
-            @ForAll("separations") double separation) {
-        Crowd crowd = new Crowd(integrator, rate, separation, start, true);
-        while (!crowd.isCalm()) {
-            crowd.world.step();
-            assertTrue(crowd.world.getTime() < 90, () -> crowd.meanSpeed() + " m/s");
-        }
-        double[] before = crowd.positions();
-        for (int i = 0; i < 100; i++) crowd.world.step();
-        assertArrayEquals(before, crowd.positions());
-        assertTrue(crowd.isCalm());
-        for (double v : before) assertTrue(Math.abs(v) < 60, () -> "a unit at " + Arrays.toString(before));
-    }
-
-    @Provide
-    Arbitrary<Double> separations() {
-        return Arbitraries.of(2.0, 20.0);
-    }
-
-    @Property(generation = GenerationMode.EXHAUSTIVE)
-    void withoutTheBrakesTheSameCrowdNeverComesToRest(@ForAll Integrator integrator, @ForAll("crowdRates") int rate) {
-        Crowd crowd = new Crowd(integrator, rate, 20, Start.SCATTERED, false);
-        while (crowd.world.getTime() < 60) crowd.world.step();
-        for (int i = 0; i < 5 * rate; i++) {
-            crowd.world.step();
-            assertTrue(crowd.meanSpeed() > 1e-4, () -> crowd.meanSpeed() + " m/s at " + crowd.world.getTime() + " s");
-        }
     }
 
     // Timesteps, of docs/guide.md
