@@ -40,7 +40,8 @@ final class FilmEncoder extends AnimatedGifEncoder {
         int last = -1;
         byte index = 0;
         for (int i = 0; i < now.length; i++) {
-            int colour = pixels[3 * i] & 0xFF | (pixels[3 * i + 1] & 0xFF) << 8 | (pixels[3 * i + 2] & 0xFF) << 16;
+            int colour =
+                    (pixels[3 * i] & 0xFF) | ((pixels[3 * i + 1] & 0xFF) << 8) | ((pixels[3 * i + 2] & 0xFF) << 16);
             if (colour != last) index = nearest.computeIfAbsent(colour, this::nearest);
             last = colour;
             now[i] = index;
