@@ -68,7 +68,7 @@ class DrawingTest {
             int target = w.getTick() % 500 == 499 ? 1 : w.getTick() % 50 == 25 ? 1 + random.nextInt(3_000) : w.size();
             while (w.size() > target) w.remove(w.get(w.size() - 1));
             while (w.size() < target)
-                w.add(new Unit(1).setPosition(w.getTick(), w.getTick()).setVelocity(64, 64));
+                w.add(new Unit(1).setPosition((double) w.getTick(), (double) w.getTick()).setVelocity(64, 64));
         });
         Thread simulation = simulate(ticks);
         float last = 0;
