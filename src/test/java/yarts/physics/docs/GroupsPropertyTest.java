@@ -74,8 +74,9 @@ class GroupsPropertyTest {
                 double dx = xy[i] - xy[j], dy = xy[i + 1] - xy[j + 1];
                 if (Math.abs(dx) >= REACH || Math.abs(dy) >= REACH) continue;
                 if (dx == 0 && dy == 0) {
-                    dx = 1e-9 * StrictMath.cos(GOLDEN * (i / 2));
-                    dy = 1e-9 * StrictMath.sin(GOLDEN * (i / 2));
+                    int unit = i / 2;
+                    dx = 1e-9 * StrictMath.cos(GOLDEN * unit);
+                    dy = 1e-9 * StrictMath.sin(GOLDEN * unit);
                 }
                 double distance = Math.sqrt(dx * dx + dy * dy), force = k * (REACH / distance - 1);
                 if (distance >= REACH) continue;
