@@ -59,9 +59,9 @@ class AdoptingPropertyTest {
         }
     }
 
-    /** Mindustry's: moves by v·delta, then multiplies v by 1 − drag·delta, limited to 0; delta in sixtieths of a second. */
+    /** Mindustry's rule: x += v·delta, then v *= max(0, 1 − drag·delta), with delta in sixtieths of a second. */
     @Property
-    void aDragWithFramesOfAnyLengthIsEuler(
+    void dragWithFramesOfAnyLengthGivesTheSameMotionAsEuler(
             @ForAll @DoubleRange(min = 0, max = 2) double drag,
             @ForAll("positive") double mass,
             @ForAll Random random) {
@@ -115,7 +115,7 @@ class AdoptingPropertyTest {
     }
 
     @Property
-    void aMotorFollowsRobocodesVelocityExceptInTurnsThatReverse(@ForAll Random random) {
+    void aMotorGivesRobocodesVelocityExceptInTurnsInWhichTheRobotReverses(@ForAll Random random) {
         Unit unit = new Unit(1);
         double x = 0, v = 0, order = 0;
         int same = 0;
@@ -137,8 +137,8 @@ class AdoptingPropertyTest {
     }
 
     /**
-     * The velocity of a Robocode robot in the next turn: it accelerates by 1 pixel/turn² and brakes by 2, so that it stops
-     * at the distance. A turn in which it reverses is divided.
+     * The velocity of a Robocode robot in the next turn: it accelerates by 1 pixel/turn² and brakes by 2, so that it
+     * stops at the distance. If it reverses in a turn, it brakes in a part of the turn and accelerates in the rest.
      */
     private static double robocode(double v, double distance, double most) {
         if (distance < 0) return -robocode(-v, -distance, most);
@@ -148,7 +148,7 @@ class AdoptingPropertyTest {
             goal = Math.min(2 * (turns - 1) + (distance - turns * (turns - 1)) / turns, most);
         }
         if (v >= 0) return Math.max(v - 2, Math.min(goal, v + 1));
-        double braking = Math.min(1, -v / 2); // the part of the turn
+        double braking = Math.min(1, -v / 2); // the part of the turn in which it brakes
         return Math.max(v - 1, Math.min(goal, v + 2 * braking + (1 - braking)));
     }
 }

@@ -12,7 +12,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** The claims of docs/adopting.md that its blocks do not show. Minecraft's are in blocks, with 20 ticks per second. */
+/** The claims of docs/adopting.md that its code blocks do not show, for example Minecraft's rules at 20 ticks/s. */
 class AdoptingTest {
     private static final int TICKS = 200;
 
@@ -20,7 +20,7 @@ class AdoptingTest {
     Path folder;
 
     @Test
-    void anItemThatFallsHasTheVelocityAfterTheAcceleration() {
+    void aFallingItemMovesByTheVelocityAfterTheAccelerationAsInMinecraft() {
         double y = 0, v = 0.2, keep = 0.98f;
         World world = new World(Integrator.EULER, Timestep.fixed(20));
         Unit item = world.add(new Unit(1).setFriction((1 - keep) * 20).setVelocity(0, (v - 0.04) * 20));
@@ -35,7 +35,7 @@ class AdoptingTest {
     }
 
     @Test
-    void aListenerCorrectsTheDragAlongOneAxis() {
+    void aListenerGivesOneAxisAnotherDrag() {
         double x = 0, y = 0, vx = 0.3, vy = 0, across = 0.91f, down = 0.98f;
         World world = new World(Integrator.EULER, Timestep.fixed(20));
         Unit creature = world.add(new Unit(1).setFriction((1 - down) * 20).setVelocity(vx * 20, 0));
@@ -53,7 +53,7 @@ class AdoptingTest {
     }
 
     @Test
-    void speedAccelerationAndKickPerTickAreMultipliedByTheRate() {
+    void speedAndKickPerTickAreMultipliedByTheRateAndAccelerationByItsSquare() {
         double x = 0, v = 0.5, mass = 40_000, gravity = 0.02, kick = 0.3;
         int rate = 30;
         World world = new World(Integrator.SEMI_IMPLICIT, Timestep.fixed(rate));
@@ -70,7 +70,7 @@ class AdoptingTest {
     }
 
     @Test
-    void anImportTakesPrecedenceOverAUnitOfTheSamePackage() throws Exception {
+    void anImportTakesPrecedenceOverAClassUnitInTheSamePackage() throws Exception {
         Path library = Path.of(
                 Unit.class.getProtectionDomain().getCodeSource().getLocation().toURI());
         Path own = folder.resolve("Unit.java"), user = folder.resolve("User.java");

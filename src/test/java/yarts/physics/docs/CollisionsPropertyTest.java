@@ -19,7 +19,7 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Doubles;
 
-/** The recipes of docs/cookbook.md on collisions, with other numbers than their own. */
+/** The collision recipes of docs/cookbook.md, with random numbers. */
 class CollisionsPropertyTest {
     private static final double LEFT = 0, RIGHT = 10;
 
@@ -53,7 +53,7 @@ class CollisionsPropertyTest {
         };
     }
 
-    /** In the same place too, and where dx² underflows. */
+    /** Also from the same place, and from a distance so small that dx² underflows. */
     @Property(tries = 50)
     void unitsThatPushEachOtherComeToRestSideBySide(
             @ForAll Integrator integrator,
@@ -82,7 +82,7 @@ class CollisionsPropertyTest {
     }
 
     @Property
-    void aBounceConservesMomentumAndReversesTheApproachByTheRestitution(
+    void aBounceConservesMomentumAndMultipliesTheVelocityOfTheApproachByMinusTheRestitution(
             @ForAll("masses") double ma,
             @ForAll("masses") double mb,
             @ForAll @DoubleRange(min = -50, max = 50) double ax,
@@ -101,9 +101,9 @@ class CollisionsPropertyTest {
         assertEquals(along, a.getVx() * -ny + a.getVy() * nx, 1e-9);
     }
 
-    /** A frozen unit may have a velocity, which does not count. */
+    /** A frozen unit may have a velocity; the bounce ignores it. */
     @Property
-    void aFrozenUnitIsAWallToTheOther(
+    void aUnitBouncesOffAFrozenUnitAsOffAWall(
             @ForAll @DoubleRange(min = -50, max = 50) double va,
             @ForAll @DoubleRange(min = -50, max = 50) double vb,
             @ForAll @DoubleRange(min = 0, max = 1) double e,
@@ -131,9 +131,9 @@ class CollisionsPropertyTest {
         return world;
     }
 
-    /** At speeds far beyond the room's width per step too. A wall multiplies the speed by e each time. */
+    /** Also at speeds of many room widths per step. Each bounce multiplies the speed by e. */
     @Property
-    void aUnitIsNeitherDrawnNorLeftBeyondAWall(
+    void aUnitIsNeverDrawnBeyondAWallAndNeverThereAfterAStep(
             @ForAll Integrator integrator,
             @ForAll @DoubleRange(min = 0, max = 1) double e,
             @ForAll @DoubleRange(min = 0, max = 10) double start,
@@ -156,9 +156,9 @@ class CollisionsPropertyTest {
         assertEquals(vy * world.getTime(), unit.getY(), 1e-9 * Math.abs(vy) * world.getTime());
     }
 
-    /** Below a speed of a room's width per step, the path of an elastic ball is exact, between the walls as at them. */
+    /** At speeds below one room width per step, the path of an elastic ball is exact, also at the walls. */
     @Property
-    void anElasticBallIsWhereTheReflectedPathLeads(
+    void anElasticBallFollowsTheReflectedPath(
             @ForAll Integrator integrator,
             @ForAll @DoubleRange(min = 0, max = 10) double start,
             @ForAll @DoubleRange(min = -500, max = 500) double vx) {
@@ -191,9 +191,9 @@ class CollisionsPropertyTest {
         }
     }
 
-    /** A unit outside the room that returns, such as one that was placed there, keeps its velocity. */
+    /** A unit that was placed outside the room and moves back into it keeps its velocity. */
     @Property
-    void aUnitThatLeavesTheWallIsNotStopped(
+    void aWallDoesNotStopAUnitThatMovesAwayFromIt(
             @ForAll @DoubleRange(min = 20, max = 100) double start, @ForAll @DoubleRange(min = 2, max = 50) double v) {
         Unit unit = new Unit(1).setPosition(start, 0).setVelocity(-v, 0);
         room(Integrator.EXACT, 0.5, unit).step();

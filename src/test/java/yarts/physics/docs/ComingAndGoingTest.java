@@ -11,7 +11,7 @@ import yarts.physics.Snapshot;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** The recipes of docs/cookbook.md for units that are frozen, spawned and removed, with other numbers than their own. */
+/** The recipes of docs/cookbook.md for freezing, spawning and removing units, with other numbers. */
 class ComingAndGoingTest {
     private static void release(World world, Unit transport, List<Long> aboard) {
         for (int i = 0; i < aboard.size(); i++) {
@@ -25,7 +25,7 @@ class ComingAndGoingTest {
         aboard.clear();
     }
 
-    /** All combinations of four passengers; also after a restore from bytes, by which all objects are others. */
+    /** All combinations of four passengers, after a restore from bytes, which replaces all objects. */
     @Test
     void passengersThatAreStillInTheWorldAreReleasedBesideTheTransport() {
         for (int gone = 0; gone < 16; gone++) {
@@ -65,9 +65,9 @@ class ComingAndGoingTest {
         }
     }
 
-    /** Far from the origin, and if the shells hit something and stop. No gun is removed. */
+    /** At the origin and far from it, also for a shell that stops. No gun is removed. */
     @Test
-    void eachShellLastsForItsTimeWhereverTheGunsStand() {
+    void eachShellIsRemovedAfterItsTimeAtEveryPositionOfTheGuns() {
         for (double x : new double[] {0, -1e6, 1e6}) {
             World world = new World();
             for (int i = 0; i < 3; i++)

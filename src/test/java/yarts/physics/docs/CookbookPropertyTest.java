@@ -22,7 +22,7 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Doubles;
 
-/** What docs/cookbook.md says of its recipes beyond what each prints: for all speeds, masses, steps and integrators. */
+/** The claims of docs/cookbook.md that its code blocks do not show: all speeds, masses, steps and integrators. */
 class CookbookPropertyTest {
     @Provide
     Arbitrary<Double> positive() {
@@ -56,9 +56,9 @@ class CookbookPropertyTest {
         return (ux - vx) * vx + (uy - vy) * vy < 0;
     }
 
-    /** By a·dt in each step, or by b·dt, in any direction; then it is exactly the ordered velocity, and stays that. */
+    /** By a·dt or b·dt in each step, in any direction; then the velocity stays exactly the ordered one. */
     @Property
-    void engineAndBrakeChangeTheSpeedByAOrByBPerSecondUntilItIsTheOrderedOne(
+    void theEngineChangesTheSpeedByAPerSecondAndTheBrakeByBUntilItIsTheOrderedSpeed(
             @ForAll Integrator integrator,
             @ForAll("positive") double mass,
             @ForAll("accelerations") double a,
@@ -85,7 +85,7 @@ class CookbookPropertyTest {
         }
     }
 
-    /** A way to a goal: the world, the friction f/m in 1/s, the top speed, engine and brake, the goal's distance and bearing. */
+    /** A drive to a goal. Slowing is f/m in 1/s; a and b are the accelerations by engine and brake in m/s². */
     private record Trip(
             Integrator integrator,
             int rate,
@@ -105,7 +105,7 @@ class CookbookPropertyTest {
             return CookbookPropertyTest.lag(integrator, slowing / rate);
         }
 
-        /** The way that a unit needs to stop, if it brakes by b in each step from the next one on. */
+        /** The stopping distance of a unit that brakes by b·dt in each step, from the next step on. */
         double stopping(double speed) {
             double way = lag() * speed;
             for (double v = speed - b / rate; v > 0; v -= b / rate) way += v;
@@ -174,7 +174,7 @@ class CookbookPropertyTest {
         assertEquals(0, trip.passes(trip.tank(0, 0)));
     }
 
-    /** A unit that can stop in whole steps never does. One that is too fast does so once, unless linear friction helps. */
+    /** It passes the goal never if it can stop in whole steps; otherwise once, or never because of linear friction. */
     @Property
     void arrivalOfADrivingUnitStopsOnTheGoalAndPassesItOnlyIfItCannotStop(
             @ForAll("trips") Trip trip, @ForAll @DoubleRange(min = 0, max = 1) double share) {
@@ -193,9 +193,9 @@ class CookbookPropertyTest {
         assertTrue(trip.passes(trip.tank(share * trip.top(), heading)) >= 0);
     }
 
-    /** u = √(2·b·distance) leads past the goal again and again, by up to 3·b·dt². */
+    /** With u = √(2·b·distance), a unit passes the goal repeatedly, by up to 3·b·dt². */
     @Property(tries = 200)
-    void theRuleWithTheRootTrembles(
+    void theCommonRuleWithASquareRootOscillatesAroundTheGoal(
             @ForAll Integrator integrator,
             @ForAll @IntRange(min = 10, max = 240) int rate,
             @ForAll("accelerations") double b,
@@ -219,9 +219,9 @@ class CookbookPropertyTest {
         assertEquals(1.6, farthest * rate * rate / b, 1.5);
     }
 
-    /** v − n·µ·g·dt until it is at rest, in any direction; and the way, with the integrator's lag. */
+    /** The speed is v − n·µ·g·dt until rest, in any direction. The distance depends on the lag of the integrator. */
     @Property
-    void dryFrictionTakesTheSameFromTheSpeedPerSecondAndStopsTheUnit(
+    void dryFrictionReducesTheSpeedAtAConstantRateAndStopsTheUnit(
             @ForAll Integrator integrator,
             @ForAll("positive") double muG,
             @ForAll("positive") double dt,
@@ -242,7 +242,7 @@ class CookbookPropertyTest {
     }
 
     @Property
-    void dryFrictionHoldsAUnitAtRestAgainstAWeakPushAndIsTakenFromAStrongOne(
+    void dryFrictionHoldsAUnitAtRestAgainstAWeakPushAndIsSubtractedFromAStrongPush(
             @ForAll Integrator integrator,
             @ForAll("positive") double muG,
             @ForAll @DoubleRange(min = 0, max = 3) double share,
@@ -262,7 +262,7 @@ class CookbookPropertyTest {
     }
 
     @Property
-    void aBeltGivesACrateExactlyItsVelocityAndBehindItTheCrateSlides(
+    void aCrateReachesExactlyTheVelocityOfTheBeltAndSlidesAfterItsEnd(
             @ForAll Integrator integrator,
             @ForAll @IntRange(min = 10, max = 500) int rate,
             @ForAll("accelerations") double muG,
@@ -283,9 +283,9 @@ class CookbookPropertyTest {
         assertEquals(left + slide, crate.getX(), belt * dt);
     }
 
-    /** Whatever the ground allows: R is the lesser one of the engine's force and the grip's, µ·m·g. */
+    /** R is the smaller of the force of the engine and the force of the grip, µ·m·g. */
     @Property
-    void onIceAndAfterABlowTheGapToTheOrderedVelocityShrinksByForceOverMassPerSecond(
+    void onIceAndAfterAnImpulseTheDifferenceToTheOrderedVelocityDecreasesByForceOverMassPerSecond(
             @ForAll Integrator integrator,
             @ForAll("accelerations") double engine,
             @ForAll @DoubleRange(min = 0.02, max = 1) double grip,
@@ -304,9 +304,9 @@ class CookbookPropertyTest {
         assertArrayEquals(new double[] {order, 0}, new double[] {car.getVx(), car.getVy()});
     }
 
-    /** By J²/(2·m·R), from where it would be without the blow, to within a step. */
+    /** By J²/(2·m·R), relative to its place without the impulse, to within the distance of one step. */
     @Property
-    void aBlowMovesAUnitByItsSquareOverTwiceMassAndForceInItsDirection(
+    void anImpulseMovesAUnitByItsSquareOverTwiceMassTimesForceInItsDirection(
             @ForAll Integrator integrator,
             @ForAll("accelerations") double decay,
             @ForAll @IntRange(min = 1, max = 500) int rate,
@@ -330,7 +330,7 @@ class CookbookPropertyTest {
     // Forces
 
     @Property
-    void aShellFliesThePhysicsBooksParabolaAtEveryTickRate(
+    void aShellFollowsTheExactParabolaAtEveryTickRate(
             @ForAll boolean exact,
             @ForAll @IntRange(min = 1, max = 500) int rate,
             @ForAll @DoubleRange(min = -100, max = 100) double vx,
@@ -343,9 +343,9 @@ class CookbookPropertyTest {
         assertEquals(3 * vy - 9.81 * 9 / 2, shell.getY(), 1e-9);
     }
 
-    /** Of docs/physics.md: a spring in a listener calms down if f > lag(z)·k·dt, and its swings grow if f is less. */
+    /** The rule of docs/physics.md: oscillations on a spring decay if f > lag(z)·k·dt, and grow if f is less. */
     @Property(tries = 300)
-    void aSpringCalmsDownIfFrictionIsAboveLagTimesStiffnessTimesDt(
+    void oscillationsDecayIfFrictionIsAboveLagTimesStiffnessTimesDtAndGrowIfItIsBelow(
             @ForAll Integrator integrator,
             @ForAll("stiffness") double z,
             @ForAll("positive") double mass,
@@ -366,7 +366,7 @@ class CookbookPropertyTest {
         assertTrue(calms && farthest < 1e-3, farthest + " m");
     }
 
-    /** For EXACT, to within 1e-11: its formula cancels where z is small. */
+    /** For EXACT, to within 1e-11, because its formula loses digits for small z. */
     private static double lag(Integrator integrator, double z) {
         switch (integrator) {
             case EULER:
@@ -380,7 +380,7 @@ class CookbookPropertyTest {
         }
     }
 
-    /** No swing is longer than 1/√(1 − k·dt²/(4·m)) times the first one. */
+    /** No oscillation exceeds 1/√(1 − k·dt²/(4·m)) times the first one. */
     @Property(tries = 300)
     void withoutFrictionSemiImplicitAddsNoEnergyToASpring(
             @ForAll("positive") double mass, @ForAll @DoubleRange(min = 0.01, max = 3.99) double stiffness) {
@@ -394,13 +394,13 @@ class CookbookPropertyTest {
     }
 
     @Property(tries = 300)
-    void inAWindAUnitTendsToForceOverFrictionPlusTheWindsSpeed(
+    void inWindAUnitApproachesForceOverFrictionPlusTheSpeedOfTheWind(
             @ForAll Integrator integrator,
             @ForAll("stiffness") double z,
             @ForAll("positive") double friction,
             @ForAll @DoubleRange(min = -50, max = 50) double wind,
             @ForAll @DoubleRange(min = -50, max = 50) double alone) {
-        Unit unit = new Unit(friction / z).setFriction(friction); // of a step of 1 s
+        Unit unit = new Unit(friction / z).setFriction(friction); // z for a step of 1 s
         for (int i = 0; i < 2000; i++) {
             unit.applyForce(friction * alone + unit.getFriction() * wind, 0);
             unit.integrate(1, integrator);
@@ -409,7 +409,7 @@ class CookbookPropertyTest {
     }
 
     @Property
-    void aBlastThrowsOutwardsByAtMostItsImpulseAndNothingInItsCentreBreaksIt(
+    void aBlastThrowsUnitsOutwardsByAtMostItsImpulseAndDoesNotMoveAUnitInItsCentre(
             @ForAll("offsets") double dx, @ForAll("offsets") double dy, @ForAll("positive") double j) {
         double radius = 10, mass = 3;
         Unit unit = new Unit(mass);
@@ -423,17 +423,17 @@ class CookbookPropertyTest {
         assertTrue(unit.getSpeed() <= j / mass * (1 + 1e-15));
     }
 
-    /** As close as numbers go whose squares are still normal ones; and the centre itself. */
+    /** From the smallest numbers with squares that are not subnormal; and 0, the centre. */
     @Provide
     Arbitrary<Double> offsets() {
         return Arbitraries.oneOf(Doubles.signedLogUniform(1e-150, 20), Arbitraries.just(0.0));
     }
 
-    // Timesteps, of docs/guide.md
+    // Timesteps (docs/guide.md)
 
-    /** The waiting time stays the same, in seconds; alpha is the part of a new step, and so the picture may jump. */
+    /** The waiting time in seconds does not change, but alpha becomes its fraction of a new step. */
     @Property
-    void onAChangeOfTheTimestepThePictureJumpsByLessThanAStep(
+    void aChangeOfTheTimestepMakesThePictureJumpByLessThanAStep(
             @ForAll Integrator integrator,
             @ForAll @IntRange(min = 1, max = 240) int from,
             @ForAll @IntRange(min = 1, max = 240) int to,
@@ -453,7 +453,7 @@ class CookbookPropertyTest {
     // Time
 
     @Property(tries = 200)
-    void aGameThatRunsFasterOrSlowerGoesTheSameWaysToTheBit(
+    void unitsFollowTheSamePathsToTheBitAtEveryGameSpeed(
             @ForAll Integrator integrator, @ForAll @DoubleRange(min = 0.05, max = 20) double speed) {
         World normal = played(integrator), other = played(integrator);
         while (other.getTick() < 600) other.advance(speed / 60);
@@ -480,7 +480,7 @@ class CookbookPropertyTest {
     }
 
     @Property(tries = 200)
-    void aWorldThatWasEmptiedByItsSnapshotPlaysAsANewOne(
+    void aWorldRestoredFromItsEmptySnapshotPlaysLikeANewWorld(
             @ForAll long seed, @ForAll @IntRange(min = 0, max = 99) int old) {
         World used = new World(Integrator.EXACT, Timestep.fixed(60)),
                 fresh = new World(Integrator.EXACT, Timestep.fixed(60));

@@ -33,7 +33,7 @@ class DemoTest {
     Path folder;
 
     @Test
-    void theNaiveRuleFlipsAtEveryStepExactlyWhereZIsOver1AndTheLibraryNever() {
+    void theNaiveRuleReversesInEveryStepIfZExceeds1AndTheLibraryNever() {
         List<JitterTable.Line> lines = JitterTable.lines();
         assertEquals(6 * 5, lines.size());
         for (JitterTable.Line line : lines) {
@@ -46,7 +46,7 @@ class DemoTest {
     }
 
     @Test
-    void theTableFitsATerminalAndMarksEachFlip() {
+    void theTableHasAtMost100ColumnsAndMarksEachReversal() {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         JitterTable.print(new PrintStream(bytes, true, StandardCharsets.US_ASCII));
         String table = bytes.toString(StandardCharsets.US_ASCII);
@@ -78,7 +78,7 @@ class DemoTest {
         assertDrawn(read("skirmish.png"), 960, 746, 0xE69F00, 0x56B4E9);
     }
 
-    /** From the second frame on, the file contains only the pixels that change: the test draws frames over each other. */
+    /** From the second frame on, the file contains only changed pixels, so the test draws each frame over the last. */
     @Test
     void theFilmShowsJitteringTanksInItsNaiveHalfOnly() throws IOException {
         int frames = 80;
@@ -113,7 +113,7 @@ class DemoTest {
     }
 
     @Test
-    void theSamePicturesAreTheSameBytes() throws IOException {
+    void twoFilmsOfTheSameGameHaveTheSameBytes() throws IOException {
         byte[][] gifs = new byte[2][];
         for (int run = 0; run < 2; run++) {
             new SkirmishFilm(50, 1).shoot(folder.resolve("skirmish.gif"), 10, () -> {});
@@ -123,7 +123,7 @@ class DemoTest {
     }
 
     @Test
-    void theFilmInTheDocsIsSmallEnoughForAPage() throws IOException {
+    void theFilmInTheDocsIsSmallerThanThreeMegabytes() throws IOException {
         long bytes = Files.size(Path.of("docs", "images", "skirmish.gif"));
         assertTrue(bytes < 3_000_000, bytes + " bytes");
     }
@@ -132,7 +132,7 @@ class DemoTest {
         return ImageIO.read(folder.resolve(name).toFile());
     }
 
-    /** Checks the size, and that there are many pixels of some colours. */
+    /** Checks the size of the image, and that it has many pixels of each colour. */
     private static void assertDrawn(BufferedImage image, int width, int height, int... colours) {
         assertEquals(width, image.getWidth());
         assertEquals(height, image.getHeight());

@@ -38,10 +38,10 @@ import org.junit.platform.commons.support.AnnotationSupport;
 import yarts.physics.Unit;
 
 /**
- * Runs the documentation. A block fenced as {@code java} is compiled with every lint, and prints what its comments say
- * it prints: {@code // prints 5.0}, or {@code // prints 5.0, then 2.5} for a line that prints more than once.
+ * Runs the documentation. Each {@code java} block is compiled with all lint warnings, and its output must match its
+ * comments: {@code // prints 5.0}, or {@code // prints 5.0, then 2.5} for a line that prints more than once.
  *
- * <p>What a block need not say: it stands in a method, and {@code yarts.physics.*} is imported.
+ * <p>A block is compiled as the body of a method, with {@code yarts.physics.*} imported.
  */
 class DocsTest {
     private static final Pattern PRINTS = Pattern.compile("// prints (.*)");
@@ -70,7 +70,7 @@ class DocsTest {
     }
 
     @Test
-    void everyLinkLeadsToAFileAndAHeadingThatExist() throws IOException {
+    void everyLinkLeadsToAnExistingFileAndHeading() throws IOException {
         for (Path page : pages()) {
             for (MatchResult link :
                     LINK.matcher(Files.readString(page)).results().collect(Collectors.toList())) {
@@ -85,7 +85,7 @@ class DocsTest {
         }
     }
 
-    /** The anchor that a heading gets. */
+    /** The anchor of a heading. */
     private static String anchor(String heading) {
         if (!heading.startsWith("#")) return "";
         return heading.replaceFirst("#+ ", "")
@@ -95,7 +95,7 @@ class DocsTest {
     }
 
     @Test
-    void everyRowOfTheSourceMapNamesCodeAndTestsThatExist() throws Exception {
+    void everyRowOfTheSourceMapNamesExistingCodeAndTests() throws Exception {
         List<String> rows = Files.readAllLines(Path.of("docs/maintainers/source.md")).stream()
                 .filter(line -> line.startsWith("| "))
                 .skip(1)
@@ -111,9 +111,9 @@ class DocsTest {
         }
     }
 
-    /** Of what the page on quality names, and of the tests and profiles that any page has in its commands. */
+    /** The names on docs/maintainers/quality.md, and the tests and profiles in the commands of all pages. */
     @Test
-    void everyTestAndProfileThatIsNamedExists() throws Exception {
+    void everyNamedTestAndProfileExists() throws Exception {
         for (String name : find(NAME, Files.readString(Path.of("docs/maintainers/quality.md"))))
             assertTrue(isCode(name), name);
         int commands = 0;
@@ -142,7 +142,7 @@ class DocsTest {
 
     /** Between two releases, the POM builds the next version and the README names the last one. */
     @Test
-    void readmeAsksForTheVersionThatThePomBuildsOrTheLastRelease() throws IOException {
+    void theReadmeNamesTheVersionOfThePomOrTheLastRelease() throws IOException {
         Pattern maven = Pattern.compile("<artifactId>yarts-physics</artifactId>\\s*<version>(.*?)</version>");
         Pattern gradle = Pattern.compile("[\"']io.github.yarts:yarts-physics:(.*?)[\"']");
         String pom = Files.readString(Path.of("pom.xml")), readme = Files.readString(Path.of("README.md"));
@@ -168,14 +168,14 @@ class DocsTest {
         return pattern.matcher(text).results().map(m -> m.group(1)).collect(Collectors.toList());
     }
 
-    /** Whether a class has tests that run with the profile for long ones, or without it. */
+    /** Whether a class has tests that run with the profile for long tests, or without it. */
     private static boolean hasTests(Class<?> type, boolean asLong) {
         return Stream.of(type.getDeclaredMethods())
                 .filter(method -> AnnotationSupport.isAnnotated(method, Testable.class))
                 .anyMatch(method -> asLong == (isLong(type) || isLong(method)));
     }
 
-    /** By either library's tag. */
+    /** Whether it has the tag "long" of JUnit or of jqwik. */
     private static boolean isLong(AnnotatedElement tests) {
         return Stream.of(tests.getAnnotations()).anyMatch(a -> a.toString().matches(".*\\.Tag\\(.*\"long\".*"));
     }
@@ -195,7 +195,7 @@ class DocsTest {
                 .anyMatch(m -> m.getName().equals(member(name)) && m.getAnnotations().length > 0);
     }
 
-    /** The one class with a simple name, in whatever package its source is. */
+    /** The only class with a simple name, in any package. */
     private static Class<?> type(String name) throws Exception {
         Path file = Path.of(name.split("\\.")[0] + ".java");
         List<Path> sources = new ArrayList<>();
@@ -214,7 +214,7 @@ class DocsTest {
         return name.contains(".") ? name.split("\\.")[1] : "";
     }
 
-    /** Compiles and runs a block. It is written from its own line of the page on, so that errors name page and line. */
+    /** Compiles and runs a block. Its line numbers are those of the page, so that errors name page and line. */
     private static void check(Path page, int line, List<String> block) throws Exception {
         String name = page.getFileName().toString().replace(".md", "") + line;
         String imports = block.stream().filter(DocsTest::isImport).collect(Collectors.joining(" "));

@@ -58,9 +58,9 @@ class DrawingTest {
         return frames[drawn];
     }
 
-    /** All units are where the tick says, so that a frame of two ticks would be noticed. From 1 to 3,000 units. */
+    /** The tick determines all positions, so the test detects a frame with parts of two ticks. 1 to 3,000 units. */
     @Test
-    void theThreadThatDrawsGetsWholeFramesInOrderWhileUnitsComeAndGo() throws InterruptedException {
+    void theDrawingThreadGetsWholeFramesInOrderWhileUnitsComeAndGo() throws InterruptedException {
         int ticks = 10_000;
         Random random = new Random(1);
         world.add(new Unit(1).setVelocity(64, 64));
@@ -68,7 +68,9 @@ class DrawingTest {
             int target = w.getTick() % 500 == 499 ? 1 : w.getTick() % 50 == 25 ? 1 + random.nextInt(3_000) : w.size();
             while (w.size() > target) w.remove(w.get(w.size() - 1));
             while (w.size() < target)
-                w.add(new Unit(1).setPosition((double) w.getTick(), (double) w.getTick()).setVelocity(64, 64));
+                w.add(new Unit(1)
+                        .setPosition((double) w.getTick(), (double) w.getTick())
+                        .setVelocity(64, 64));
         });
         Thread simulation = simulate(ticks);
         float last = 0;
@@ -90,7 +92,7 @@ class DrawingTest {
     }
 
     @Test
-    void theThreadThatDrawsNoticesThatTheSimulationHasFailed() {
+    void theDrawingThreadDetectsAFailureOfTheSimulation() {
         RuntimeException broken = new IllegalStateException("broken");
         world.add(new Unit(1));
         world.addBeforeStep((w, dt) -> {

@@ -19,7 +19,7 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Doubles;
 
-/** What docs/cookbook.md says of sideways grip, quadratic drag and turning: for all speeds, steps and integrators. */
+/** The claims of docs/cookbook.md on sideways grip, quadratic drag and turning, for all speeds and integrators. */
 class FrictionRecipesPropertyTest {
     @Provide
     Arbitrary<Double> positive() {
@@ -80,7 +80,7 @@ class FrictionRecipesPropertyTest {
         }
     }
 
-    /** A car of 20 m/s that turns by 2 rad/s for 10 s. */
+    /** A car with the speed 20 m/s that turns by 2 rad/s for 10 s. */
     private static Car turned(Integrator how, double r, double turnRate, int rate, int seconds) {
         Car car = new Car();
         car.setVelocity(20, 0);
@@ -92,9 +92,9 @@ class FrictionRecipesPropertyTest {
         return car;
     }
 
-    /** The rule that only multiplies the part across loses speed on rails: 7.3 m/s at 20 steps/s, 18.4 at 240. */
+    /** If a rule only removes the part across the heading, 7.3 m/s remain at 20 steps/s, and 18.4 m/s at 240. */
     @Example
-    void onRailsATurnCostsNoSpeedWhereTheCommonRuleLosesItDependingOnTheTickRate() {
+    void onRailsACarKeepsItsSpeedInATurnButTheCommonRuleReducesItDependingOnTheTickRate() {
         double[][] common = {{20, 7.345}, {240, 18.401}};
         for (double[] known : common) {
             int rate = (int) known[0];
@@ -115,7 +115,7 @@ class FrictionRecipesPropertyTest {
     }
 
     @Property
-    void aTurnCostsTheSameSpeedAtEveryTickRate(
+    void aTurnReducesTheSpeedEquallyAtEveryTickRate(
             @ForAll Integrator how,
             @ForAll("grips") double r,
             @ForAll @DoubleRange(min = -5, max = 5) double turnRate,
@@ -125,9 +125,9 @@ class FrictionRecipesPropertyTest {
         assertEquals(fine.getVy(), car.getVy(), 1e-6);
     }
 
-    /** Against the equation itself, by Heun's rule in steps of 50 microseconds. */
+    /** Compared with a solution of the equation by Heun's method in steps of 50 microseconds. */
     @Property(tries = 30)
-    void gripSolvesTheEquationOfASlideThatDecaysAtItsRate(
+    void gripSolvesTheEquationOfASlideThatDecaysAtTheRateOfTheGrip(
             @ForAll @DoubleRange(min = 0, max = 50) double r, @ForAll @DoubleRange(min = -5, max = 5) double turnRate) {
         Car car = turned(Integrator.EXACT, r, turnRate, 20, 1);
         double vx = 20, vy = 0, h = 5e-5;
@@ -144,9 +144,9 @@ class FrictionRecipesPropertyTest {
         assertEquals(vy, car.getVy(), 1e-3);
     }
 
-    /** To a few percent where r is ten times the turn rate. */
+    /** To within 3 % if r is at least ten times the turn rate. */
     @Property(tries = 100)
-    void aCarThatTurnsLosesTheSquareOfTheTurnRateOverTheGripPerSecond(
+    void aTurningCarLosesTheFractionTurnRateSquaredOverGripOfItsSpeedPerSecond(
             @ForAll @DoubleRange(min = 0.5, max = 3) double turnRate,
             @ForAll @DoubleRange(min = 10, max = 100) double ratio,
             @ForAll @IntRange(min = 10, max = 240) int rate) {
@@ -156,7 +156,7 @@ class FrictionRecipesPropertyTest {
     }
 
     @Property
-    void straightOnTheSlideDecaysAtTheRateOfTheGripAndTheMotionAlongTheHeadingStays(
+    void onAStraightCourseTheSlideDecaysAtTheRateOfTheGripAndTheVelocityAlongTheHeadingStays(
             @ForAll("grips") double r,
             @ForAll("positive") double dt,
             @ForAll @DoubleRange(min = -4, max = 4) double heading,
@@ -171,7 +171,7 @@ class FrictionRecipesPropertyTest {
         assertEquals(StrictMath.exp(-r * dt) * across, car.across(), slack);
     }
 
-    /** And a heading that jumps by 2π, as one that the game keeps within a turn, is no turn. */
+    /** A jump of the heading by 2π, as in games that keep it in a range of 2π, is not a turn. */
     @Property
     void gripMakesNoCarFasterAndWithoutGripTheHeadingHasNoEffect(
             @ForAll("grips") double r,
@@ -219,7 +219,7 @@ class FrictionRecipesPropertyTest {
     }
 
     @Property
-    void quadraticDragTurnsNoUnitRoundAndMakesNoneFaster(
+    void quadraticDragNeverReversesOrAcceleratesAUnit(
             @ForAll Integrator how,
             @ForAll("positive") double mass,
             @ForAll("frictions") double friction,
@@ -238,7 +238,7 @@ class FrictionRecipesPropertyTest {
     }
 
     @Property
-    void quadraticDragIsExactForAUnitThatCoasts(
+    void quadraticDragIsExactWithoutOtherForces(
             @ForAll Integrator how,
             @ForAll("positive") double mass,
             @ForAll("positive") double c,
@@ -252,15 +252,15 @@ class FrictionRecipesPropertyTest {
         }
     }
 
-    /** At √(F/c) / √(1 + c·F·dt²/(4·m²)). */
+    /** The final speed is √(F/c) / √(1 + c·F·dt²/(4·m²)). */
     @Property(tries = 300)
-    void drivenAgainstQuadraticDragAUnitSettlesBelowTheRootOfForceOverDragAndNeverPassesIt(
+    void underAForceAndQuadraticDragTheSpeedNeverExceedsTheRootOfForceOverDrag(
             @ForAll Integrator how,
             @ForAll("positive") double mass,
             @ForAll("positive") double root,
             @ForAll("positive") double dt,
             @ForAll @DoubleRange(min = 0.05, max = 100) double push) {
-        double force = push * root * mass / dt, c = force / (root * root); // a step's push is so many times the root
+        double force = push * root * mass / dt, c = force / (root * root); // push: F·dt/m in multiples of the root
         Unit unit = new Unit(mass);
         World world = dragged(unit, how, c);
         for (int i = 0; i < 2000; i++) {
@@ -271,7 +271,7 @@ class FrictionRecipesPropertyTest {
         assertEquals(1, unit.getVx() / (root / Math.sqrt(1 + c * force * dt * dt / (4 * mass * mass))), 1e-9);
     }
 
-    /** Where a shell of 4 kg comes down that left with (v, v), c = 0.008 kg/m: as in the recipe, or all drag after the step. */
+    /** The range of the shell in the recipe from (v, v), with halves of the drag, or with all drag after the step. */
     private static double range(Integrator how, double v, int rate, boolean halves) {
         Unit shell = new Unit(4).setVelocity(v, v);
         World world = new World(how, Timestep.fixed(rate));
@@ -288,7 +288,7 @@ class FrictionRecipesPropertyTest {
     }
 
     @Example
-    void halfOfTheDragOnEitherSideReducesTheErrorOfAMortarsRangeFromTwelveMetresToSevenCentimetres() {
+    void halfOfTheDragBeforeAndAfterTheStepReducesTheErrorOfTheRangeFromTwelveMetresToSevenCentimetres() {
         double ideal = range(Integrator.EXACT, 200, 5000, true);
         assertEquals(902.46, ideal, 0.01);
         assertEquals(12.5, range(Integrator.EXACT, 200, 10, false) - ideal, 0.05);
@@ -297,7 +297,7 @@ class FrictionRecipesPropertyTest {
     }
 
     @Property(tries = 30)
-    void theErrorOfTheRangeIsProportionalToDtSquaredAndThatOfDragAfterTheStepToDt(
+    void theErrorOfTheRangeIsProportionalToDtSquaredAndWithAllDragAfterTheStepToDt(
             @ForAll boolean exact, @ForAll @DoubleRange(min = 100, max = 250) double v) {
         Integrator how = exact ? Integrator.EXACT : Integrator.MIDPOINT;
         double ideal = range(how, v, 4000, true);
@@ -308,7 +308,7 @@ class FrictionRecipesPropertyTest {
 
     // The order of frictions
 
-    /** Two velocities, one for each order of linear friction and drag, after 1 s in so many steps: half on either side or not. */
+    /** The difference of the velocities after 1 s with the drag before linear friction and after it. */
     private static double difference(Integrator how, double friction, int steps) {
         Unit before = new Unit(1).setFriction(friction).setVelocity(20, 0);
         Unit after = new Unit(1).setFriction(friction).setVelocity(20, 0);
@@ -324,7 +324,7 @@ class FrictionRecipesPropertyTest {
     }
 
     @Property(tries = 100)
-    void theOrderOfLinearFrictionAndDragMattersInProportionToDt(
+    void theEffectOfTheOrderOfLinearFrictionAndDragIsProportionalToDt(
             @ForAll Integrator how, @ForAll @DoubleRange(min = 1, max = 3) double friction) {
         double coarse = difference(how, friction, 64), fine = difference(how, friction, 128);
         assertNotEquals(0, fine);
@@ -333,9 +333,9 @@ class FrictionRecipesPropertyTest {
 
     // Turning
 
-    /** A force across the motion adds to the speed: from 10 m/s to 73.8 m/s in 60 s, at 2 rad/s and 60 steps/s. */
+    /** From 10 m/s to 73.8 m/s in 60 s, at 2 rad/s and 60 steps/s. */
     @Example
-    void aForceAcrossTheMotionMakesAUnitFaster() {
+    void aForcePerpendicularToTheMotionIncreasesTheSpeed() {
         for (Integrator how : Integrator.values()) {
             Unit unit = new Unit(1).setVelocity(10, 0);
             for (int tick = 0; tick < 3600; tick++) {
@@ -368,7 +368,7 @@ class FrictionRecipesPropertyTest {
 
     // Terrain
 
-    /** The recipe's mud: 3 m/s, µ = 0.5, for a tank with an engine of 2 m/s² that arrives with 12 m/s, or thrown with 60. */
+    /** The mud of the recipe: 3 m/s, µ = 0.5; a tank with an engine of 2 m/s² arrives with 3.5 to 60 m/s. */
     @Property(tries = 200)
     void mudSlowsAUnitWithAndWithoutATopSpeed(
             @ForAll Integrator how,

@@ -13,7 +13,7 @@ import yarts.physics.World;
 /** The recipe of docs/cookbook.md for slow motion and fast forward, with frames of any length. */
 class GameSpeedPropertyTest {
     @Property
-    void noTimeIsDroppedAtAnySpeedAndAHitchIsNotMultiplied(
+    void noTimeIsDroppedAtAnySpeedAndALongFrameIsLimitedBeforeItIsMultiplied(
             @ForAll long seed,
             @ForAll @DoubleRange(min = 0, max = 20) double speed,
             @ForAll @DoubleRange(min = 0.01, max = 100) double longest) {

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import yarts.physics.Unit;
 
-/** The page from an empty folder to a moving tank; src/it/getting-started is its project, which the build runs. */
+/** docs/getting-started.md; the build runs the project of this page in src/it/getting-started. */
 class GettingStartedTest {
     private static final Path PROJECT = Path.of("src/it/getting-started");
 
@@ -50,7 +50,7 @@ class GettingStartedTest {
     }
 
     @Test
-    void thePageNamesTheVersionOfTheReadmeForMavenAndGradle() throws IOException {
+    void thePageHasTheSameVersionAsTheReadmeForMavenAndGradle() throws IOException {
         String page = Files.readString(Path.of("docs/getting-started.md"));
         List<String> versions = Pattern.compile(
                         "yarts-physics(?:</artifactId>\\s*<version>|:)([^<\"]*)", Pattern.MULTILINE)
@@ -62,7 +62,7 @@ class GettingStartedTest {
         assertEquals(List.of(readme, readme), versions);
     }
 
-    /** So the plugins need no second download, and the offline build has them. */
+    /** The offline build then needs no other versions of the plugins. */
     @Test
     void theProjectUsesThePluginVersionsOfTheLibrary() throws IOException {
         String library = Files.readString(Path.of("pom.xml"));

@@ -31,7 +31,7 @@ class GroupsPropertyTest {
     }
 
     @Property
-    void theGridFindsEachPairThatIsNearOnceOnTheMapAndOffIt(
+    void theGridFindsEachNearPairOnceOnTheMapAndBeyondItsEdge(
             @ForAll long seed,
             @ForAll @IntRange(min = 0, max = 300) int n,
             @ForAll @IntRange(min = 1, max = 40) int cells) {
@@ -65,7 +65,7 @@ class GroupsPropertyTest {
         assertEquals(near, found);
     }
 
-    /** The sum of the pushes on each unit by those nearby, as in the recipe, but with all pairs instead of a grid. */
+    /** The sum of the pushes on each unit, as in the recipe, but from all pairs instead of a grid. */
     private static double[] pushes(World world, double k, double limit) {
         double[] push = new double[2 * world.size()], xy = push.clone();
         world.copyPositions(xy, 0, 1);
@@ -100,7 +100,7 @@ class GroupsPropertyTest {
         return fastest;
     }
 
-    /** Separation alone, for a time in s. Returns the highest speed. */
+    /** Runs only the separation for a time in s. Returns the highest speed. */
     private static double separate(World world, int units, double scatter, double time) {
         Random random = new Random(1);
         for (int i = 0; i < units; i++) {
@@ -116,9 +116,9 @@ class GroupsPropertyTest {
         return top;
     }
 
-    /** A constant direction made them a line of 145 m, of which 54 still moved after two minutes. */
+    /** With a constant direction, they formed a line of 145 m, and 54 of them still moved after two minutes. */
     @Property(generation = GenerationMode.EXHAUSTIVE)
-    void sixtyUnitsAtOnePointSeparateInAllDirectionsAndCalmDown(
+    void sixtyUnitsAtOnePointSeparateInAllDirectionsAndComeToRest(
             @ForAll Integrator integrator, @ForAll("rates") int rate) {
         World world = new World(integrator, Timestep.fixed(rate));
         separate(world, 60, 0, 120);
@@ -130,13 +130,13 @@ class GroupsPropertyTest {
         }
     }
 
-    /** Without a limit, they were thrown at 184 m/s. */
+    /** Without a limit, they reached 184 m/s. */
     @Property(generation = GenerationMode.EXHAUSTIVE)
-    void fiveHundredUnitsWithinTenCentimetresAreNotThrownFasterThanTheLimitOverFriction(@ForAll Integrator integrator) {
+    void fiveHundredUnitsWithinTenCentimetresNeverExceedTheLimitOverFriction(@ForAll Integrator integrator) {
         assertTrue(separate(new World(integrator, Timestep.fixed(20)), 500, 0.1, 20) <= 5 * (1 + 1e-12));
     }
 
-    /** Places on a spiral, and swaps: at rest within a minute, and without a reversal in the second one. */
+    /** With places on a spiral and swaps, they are at rest within a minute. */
     @Property(generation = GenerationMode.EXHAUSTIVE)
     void sixtyTanksWithOneGoalComeToRestAndNeverTurnBackInTheSecondMinute(
             @ForAll Integrator integrator, @ForAll("rates") int rate) {

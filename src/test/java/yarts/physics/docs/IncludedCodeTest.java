@@ -17,12 +17,12 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * The docs show the code of the games in src/it, which are compiled and run, and not a copy of it. A page says
- * {@code <!-- include: file tag -->} before a block; in the file the lines stand between {@code // tag::…[]} and
- * {@code // end::…[]}, as in AsciiDoc. Without a tag, the block is the whole file, with the version that the
- * README names in place of {@code @project.version@}.
+ * Checks that the docs show the code of the games in src/it, which the build compiles and runs. On a page,
+ * {@code <!-- include: file tag -->} is before the block; in the file, the lines are between {@code // tag::…[]} and
+ * {@code // end::…[]}, as in AsciiDoc. Without a tag, the block is the whole file, with the version of the README
+ * instead of {@code @project.version@}.
  *
- * <pre>{@code mvn test -Dtest=IncludedCodeTest -Ddocs.write   # writes the blocks anew}</pre>
+ * <pre>{@code mvn test -Dtest=IncludedCodeTest -Ddocs.write   # updates the blocks}</pre>
  */
 class IncludedCodeTest {
     private static final Pattern INCLUDE =
@@ -31,11 +31,11 @@ class IncludedCodeTest {
     private static final Pattern VERSION =
             Pattern.compile("<artifactId>yarts-physics</artifactId>\\s*<version>(.*?)</version>");
 
-    /** An adapter that needs more says that the library's API is wrong. */
+    /** If an adapter needs more lines, the API of the library is unsuitable. */
     private static final int LONGEST_ADAPTER = 10;
 
     @Test
-    void everyIncludedBlockIsTheCodeThatRuns() throws IOException {
+    void everyIncludedBlockEqualsTheCodeOfItsGame() throws IOException {
         int blocks = 0;
         for (Path page : DocsTest.pages()) {
             String text = Files.readString(page);
@@ -58,7 +58,7 @@ class IncludedCodeTest {
     }
 
     @Test
-    void everyTaggedPieceOfAGameIsInTheDocs() throws IOException {
+    void everyTaggedPartOfAGameIsInTheDocs() throws IOException {
         StringBuilder pages = new StringBuilder();
         for (Path page : DocsTest.pages()) pages.append(Files.readString(page));
         for (Path game : games()) {
@@ -70,7 +70,7 @@ class IncludedCodeTest {
     }
 
     @Test
-    void anAdapterHasTenLinesAtMost() throws IOException {
+    void anAdapterHasAtMostTenLines() throws IOException {
         List<String> seen = new ArrayList<>();
         for (Path game : games()) {
             if (!Files.readString(game).contains("// tag::adapter[]")) continue;
@@ -98,14 +98,14 @@ class IncludedCodeTest {
         return Files.readString(file).replace("@project.version@", versionInReadme());
     }
 
-    /** The version that readers are to use. */
+    /** The version in the README, which users should use. */
     static String versionInReadme() throws IOException {
         Matcher version = VERSION.matcher(Files.readString(Path.of("README.md")));
         assertTrue(version.find(), "README.md names no version");
         return version.group(1);
     }
 
-    /** The lines between two tags, as far to the left as they go. */
+    /** The lines between two tags, without their common indentation. */
     private static String region(Path file, String tag) throws IOException {
         List<String> lines = Files.readAllLines(file), region = new ArrayList<>();
         int begin = index(lines, "// tag::" + tag + "[]", file), end = index(lines, "// end::" + tag + "[]", file);

@@ -17,7 +17,7 @@ import yarts.physics.Unit;
 import yarts.physics.World;
 import yarts.physics.support.Doubles;
 
-/** The recipes of docs/cookbook.md on maps, with other numbers than their own. */
+/** The map recipes of docs/cookbook.md, with random numbers. */
 class MapsPropertyTest {
     @Provide
     Arbitrary<Double> finite() {
@@ -66,7 +66,7 @@ class MapsPropertyTest {
         assertEquals(Math.nextDown(100.0), wrap(Math.nextDown(100.0), 100));
     }
 
-    /** To the bit for positions that are not negative; within half an ulp of the width for others. */
+    /** Exact to the bit for positions that are not negative; to within half an ulp of the width for others. */
     @Property
     void aWrappedPositionIsTheExactRemainderInTheRange(@ForAll("finite") double x, @ForAll("widths") double width) {
         double wrapped = wrap(x, width);
@@ -79,7 +79,7 @@ class MapsPropertyTest {
             assertTrue(Math.min(Math.abs(error), Math.abs(error - width)) <= Math.ulp(width) / 2, () -> "off " + error);
     }
 
-    /** Units that cross the map many times per step too. */
+    /** Also for units that cross the map many times per step. */
     @Property
     void everyStepStartsOnTheMap(
             @ForAll Integrator integrator,
@@ -96,9 +96,9 @@ class MapsPropertyTest {
         for (int tick = 0; tick < 60; tick++) world.step();
     }
 
-    /** Between two frames, a unit is drawn as far on as it has gone. 20,000 m/s are three maps per step. */
+    /** The drawn position moves by v times the time between two frames. At 20,000 m/s, a step crosses three maps. */
     @Property
-    void acrossTheEdgeOfAMapAUnitIsDrawnWithoutAStreakOrAJump(
+    void aUnitIsDrawnWithoutAJumpAcrossTheEdgeOfAMap(
             @ForAll @DoubleRange(min = -20_000, max = 20_000) double v,
             @ForAll @IntRange(min = 10, max = 500) int framesPerSecond) {
         double width = 100;
@@ -107,7 +107,7 @@ class MapsPropertyTest {
         double drawn = Double.NaN;
         for (int frame = 0; frame < 3 * framesPerSecond; frame++) {
             world.advance(1.0 / framesPerSecond);
-            if (world.getTick() == 0) continue; // there is no step yet that could be drawn
+            if (world.getTick() == 0) continue; // there is no step to draw yet
             double x = wrap(ship.getInterpolatedX(), width), gone = x - drawn;
             if (!Double.isNaN(drawn)) assertEquals(0, Math.IEEEremainder(gone - v / framesPerSecond, width), 1e-5);
             drawn = x;
@@ -126,9 +126,9 @@ class MapsPropertyTest {
 
     // Moving the origin
 
-    /** In both directions, and at many times 1,024 m per step. The other unit keeps its distance. */
+    /** In all directions, also at many times 1,024 m per step. The other unit keeps its distance. */
     @Property
-    void anOriginThatFollowsAUnitIsNotSeen(
+    void aMoveOfTheOriginIsNotVisible(
             @ForAll @DoubleRange(min = -1e6, max = 1e6) double vx,
             @ForAll @DoubleRange(min = -3_000, max = 3_000) double vy,
             @ForAll @IntRange(min = 10, max = 300) int framesPerSecond) {
@@ -160,7 +160,7 @@ class MapsPropertyTest {
     // Lifts and other scripted units
 
     @Property
-    void aLiftIsDrawnOnItsPathWhateverPushesIt(
+    void aLiftIsDrawnOnItsPathUnderAnyForceAndImpulse(
             @ForAll Integrator integrator,
             @ForAll @DoubleRange(min = -50, max = 50) double speed,
             @ForAll @IntRange(min = 10, max = 300) int framesPerSecond) {

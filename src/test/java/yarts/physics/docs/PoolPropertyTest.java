@@ -17,7 +17,7 @@ import yarts.physics.World;
 
 /** The recipe of docs/cookbook.md for pooled units, through rollbacks. */
 class PoolPropertyTest {
-    /** A random game, with a pool or without, that spawns, removes, steps, saves and goes back. */
+    /** A random game, with a pool or without, that spawns, removes, steps, saves and restores. */
     private static final class Game {
         final World world = new World();
         private final Deque<Unit> pool = new ArrayDeque<>();
@@ -46,7 +46,7 @@ class PoolPropertyTest {
             world.add(unit.setPosition(5, 0).setVelocity(800, random.nextInt(9)));
         }
 
-        /** Sets everything that the next user of the unit must set back. */
+        /** Changes all properties that must be reset before the unit is used again. */
         private void use(Unit unit) {
             unit.setMass(1 + random.nextInt(9)).setFriction(random.nextInt(9)).setMaxSpeed(50 * random.nextInt(9));
             unit.setMotor(random.nextInt(9), 9, random.nextInt(2) * 500).setFrozen(random.nextInt(4) == 0);
@@ -75,7 +75,7 @@ class PoolPropertyTest {
     }
 
     @Property(tries = 300)
-    void aGameWithAPoolIsTheSameToTheBitAsOneWithoutThroughRollbacks(
+    void aGameWithAPoolAndRollbacksIsTheSameToTheBitAsOneWithoutAPool(
             @ForAll long seed, @ForAll @IntRange(min = 1, max = 400) int length) {
         Game pooled = new Game(true, seed), plain = new Game(false, seed);
         for (int i = 0; i < length; i++) {

@@ -21,7 +21,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** The recipe of docs/cookbook.md for a server: orders and listeners that throw stop neither it nor one another. */
+/** The server recipe of docs/cookbook.md: an order or a listener that throws does not stop the server. */
 class ServerTest {
     private final World world = new World(Integrator.EXACT, Timestep.fixed(100));
     private final Unit tank = world.add(new Unit(40_000).setFriction(8_000));
@@ -53,7 +53,7 @@ class ServerTest {
     }
 
     @Test
-    void anOrderThatThrowsFailsAloneAndIsReportedAndTheStepRuns() {
+    void anOrderThatThrowsIsReportedAndDoesNotStopOtherOrdersOrTheStep() {
         orders.add(() -> world.find(99).setVelocity(1, 0));
         orders.add(() -> tank.setVelocity(Double.NaN, 0));
         orders.add(ServerTest::throwError);
@@ -70,7 +70,7 @@ class ServerTest {
     }
 
     @Test
-    void theStepRunsInEveryPeriodHoweverManyOrdersThrow() {
+    void theStepRunsInEveryPeriodEvenIfManyOrdersThrow() {
         for (int n = 1; n <= 100; n++) {
             for (int i = 0; i < n % 7; i++) orders.add(() -> world.find(99).setVelocity(0, 0));
             period();
@@ -78,7 +78,7 @@ class ServerTest {
         }
     }
 
-    /** Such as one that waits for something, or a network that is faster than the server. */
+    /** For example, an order that waits for an event, or a network that is faster than the server. */
     @Test
     void anOrderThatAddsOrdersRunsOncePerPeriod() {
         int[] runs = {0};
@@ -98,7 +98,7 @@ class ServerTest {
     }
 
     @Test
-    void aStepThatFailsIsReportedAndTheNextPeriodTriesAgain() {
+    void aFailedStepIsReportedAndTheNextPeriodStepsAgain() {
         int[] failures = {3};
         world.addBeforeStep((w, dt) -> {
             if (failures[0]-- > 0) throw new IllegalStateException();
@@ -110,9 +110,9 @@ class ServerTest {
         assertEquals(10 * 5 * -Math.expm1(-0.07 / 5), tank.getX(), 1e-12);
     }
 
-    /** The world is the same to the bit as one that got the good orders alone. */
+    /** The world is the same to the bit as one that received only the good orders. */
     @Test
-    void badOrdersLeaveNoTraceAmongGoodOnes() {
+    void ordersThatThrowHaveNoEffectOnTheWorld() {
         Random random = new Random(1);
         World other = new World(Integrator.EXACT, Timestep.fixed(100));
         Unit same = other.add(new Unit(40_000).setFriction(8_000));
@@ -133,7 +133,7 @@ class ServerTest {
     }
 
     @Test
-    void anExecutorGoesOnAfterOrdersAndStepsThatThrow() throws InterruptedException {
+    void anExecutorContinuesAfterOrdersAndStepsThatThrow() throws InterruptedException {
         CountDownLatch ticks = new CountDownLatch(20);
         int[] calls = {0};
         world.addBeforeStep((w, dt) -> {

@@ -17,9 +17,9 @@ import yarts.physics.Snapshot;
 import yarts.physics.demo.Skirmish;
 import yarts.physics.demo.Tank;
 
-/** The skirmish of the demo and of the web page: tanks keep their distance, form lines, are thrown and come back. */
+/** The skirmish of the demo and of the web page. */
 class SkirmishTest {
-    /** What any JVM, and any browser, comes to. */
+    /** The hashes are the same on every JVM and in every browser. */
     @ParameterizedTest
     @CsvSource({
         "EULER, a927792f5cb71e36",
@@ -44,7 +44,7 @@ class SkirmishTest {
         while (game.time() < until - 1e-9) game.tick();
     }
 
-    /** A tank is 2.8 m broad. Only blasts bring some closer, for a moment; who has been left alone is farther off. */
+    /** A tank is 2.8 m broad. Only tanks that a blast has just hit may be closer together. */
     @ParameterizedTest
     @CsvSource({"500, 60", "150, 60", "250, 15", "1000, 60"})
     void tanksKeepTheirDistance(int tanksPerArmy, int ticksPerSecond) {
@@ -78,9 +78,9 @@ class SkirmishTest {
         return Math.abs(dx) > 10 ? 10 : Math.hypot(dx, a.getY() - b.getY());
     }
 
-    /** However often the front moves: in any quarter of a minute, every tank is once where it belongs. */
+    /** In every 15 s, each tank reaches its place at least once, although the front moves. */
     @Test
-    void tanksFormLines() {
+    void eachTankReachesItsPlaceInTheLine() {
         Skirmish game = new Skirmish(500, 2);
         play(game, 10);
         for (int span = 0; span < 4; span++) {
@@ -102,7 +102,7 @@ class SkirmishTest {
         return nearest;
     }
 
-    /** At tens of metres a second, over some metres; and they are where they belong within some seconds. */
+    /** At tens of metres per second, over several metres; they are back at their places within seconds. */
     @ParameterizedTest
     @ValueSource(ints = {15, 60})
     void aBlastThrowsTanksAndTheyComeBack(int ticksPerSecond) {
@@ -130,9 +130,9 @@ class SkirmishTest {
         return last;
     }
 
-    /** For three minutes the whole front keeps moving, and no tank comes past the enemy's first rank. */
+    /** For three minutes, each part of the front moves, and no tank passes the first rank of the enemy. */
     @Test
-    void theFrontMovesAndHolds() {
+    void theFrontMovesAndNoTankBreaksThrough() {
         int parts = 12;
         Skirmish game = new Skirmish(250, 5);
         for (int half = 0; half < 6; half++) {
@@ -161,7 +161,7 @@ class SkirmishTest {
         }
     }
 
-    /** z = f dt/m is 40/15 = 2.7 and 40/18 = 2.2: the naive rule swings tanks to and fro; the library stops them. */
+    /** z = f·dt/m is 40/15 = 2.7 and 40/18 = 2.2: with the naive rule, tanks oscillate. */
     @ParameterizedTest
     @ValueSource(ints = {15, 18})
     void naiveFrictionJittersAndTheLibraryDoesNot(int ticksPerSecond) {
@@ -182,9 +182,9 @@ class SkirmishTest {
         return turned / game.world().getTick() / game.tanks().length;
     }
 
-    /** In the naive game the library has none; what slides from a blast has less. */
+    /** In the naive game, the units of the library have no friction. A tank that slides after a blast has less. */
     @Test
-    void frictionIsTheLibrarysOrTheGames() {
+    void eitherTheLibraryOrTheNaiveRuleAppliesFriction() {
         Skirmish game = new Skirmish(100, 1);
         game.setFriction(30);
         game.blastAt(game.tanks()[0].getX() + 1, game.tanks()[0].getY());
@@ -202,7 +202,7 @@ class SkirmishTest {
         assertEquals(30 * Tank.MASS, thrown.getFriction());
     }
 
-    /** As many as asked for, wherever the companies are not full. */
+    /** Also if the last company is not full. */
     @ParameterizedTest
     @ValueSource(ints = {1, 19, 20, 21, 137, 240, 241, 1000})
     void armiesMayHaveAnySize(int n) {
@@ -219,7 +219,7 @@ class SkirmishTest {
     }
 
     @Test
-    void aFramesTimeIsPlayedInTicks() {
+    void framesRunTheSameTicksAsSeparateCalls() {
         Skirmish frames = new Skirmish(50, 1), ticks = new Skirmish(50, 1);
         int played = 0;
         for (int frame = 0; frame < 144 * 10; frame++) played += frames.advance(1 / 144.0);
@@ -229,9 +229,9 @@ class SkirmishTest {
         for (int i = 0; i < 100; i++) assertEquals(ticks.tanks()[i].getX(), frames.tanks()[i].getX());
     }
 
-    /** A world that is taken back to what it was is not yet the same game. */
+    /** A restored world has its old hash, but the game has more state than its world. */
     @Test
-    void theHashSeesMoreThanTheWorld() {
+    void theHashOfTheGameIncludesStateOutsideTheWorld() {
         Skirmish game = new Skirmish(50, 1);
         play(game, 10);
         Snapshot snapshot = game.world().save();
@@ -243,9 +243,9 @@ class SkirmishTest {
         assertNotEquals(all, game.stateHash());
     }
 
-    /** But for the shells and the blasts, some dozen bytes each. */
+    /** Except for shells and blasts: some dozen bytes each. */
     @Test
-    void aTickMakesNoGarbage() {
+    void aTickAllocatesAlmostNoMemory() {
         assumeTrue(ManagementFactory.getThreadMXBean() instanceof ThreadMXBean, "this JVM counts no allocations");
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         Skirmish game = new Skirmish(200, 1);

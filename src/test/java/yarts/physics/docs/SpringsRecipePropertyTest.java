@@ -21,7 +21,7 @@ import yarts.physics.support.Doubles;
 class SpringsRecipePropertyTest {
     private static final double DT = 1 / 64.0;
 
-    /** Units that springs hold together, in a row; the first one's neighbour may be a fixed point. */
+    /** A row of units with springs between neighbours; a spring may tie the first unit to a fixed point. */
     private enum Row {
         ONE(1, 1, true),
         PAIR(2, 2, false),
@@ -36,13 +36,13 @@ class SpringsRecipePropertyTest {
             this.tied = tied;
         }
 
-        /** Of the stiffest swing: the largest eigenvalue, in springs. */
+        /** The stiffness of the stiffest oscillation (the largest eigenvalue) in multiples of k. */
         double stiffest() {
             if (this == TIED_CHAIN) return 2 + 2 * Math.cos(2 * Math.PI / (2 * units + 1));
             return this == ONE ? 1 : 2 + 2 * Math.cos(Math.PI / units);
         }
 
-        /** Whether the units calm from a random start; if not, whether the swings grow. */
+        /** Returns whether the units come to rest from a random start, or the oscillations grow. */
         String play(Integrator how, double[] mass, double[] friction, double k) {
             World world = new World(how, Timestep.fixed(60));
             Random random = new Random(1);
@@ -86,7 +86,7 @@ class SpringsRecipePropertyTest {
     }
 
     @Property(tries = 300)
-    void belowTheLimitOfTheTableUnitsOnSpringsCalm(
+    void belowTheLimitOfTheTableUnitsOnSpringsComeToRest(
             @ForAll Integrator how,
             @ForAll Row row,
             @ForAll("masses") double mass,
@@ -97,9 +97,9 @@ class SpringsRecipePropertyTest {
         assertTrue(what.equals("calms"), what);
     }
 
-    /** It is the smallest mass and the smallest friction that count. */
+    /** The limit follows from the smallest mass and the smallest friction. */
     @Property(tries = 300)
-    void unitsThatDifferCalmBelowTheLimitOfTheirSmallestMassAndFriction(
+    void differentUnitsComeToRestBelowTheLimitOfTheirSmallestMassAndFriction(
             @ForAll Integrator how,
             @ForAll Row row,
             @ForAll("stiffness") double z,
@@ -113,9 +113,9 @@ class SpringsRecipePropertyTest {
         assertTrue(what.equals("calms"), what);
     }
 
-    /** The count is not a margin: 5 % above the limit of the stiffest swing, with the lag of the integrator, it grows. */
+    /** The limit has no margin: oscillations grow at 5 % above the limit of the stiffest one, with the exact lag. */
     @Property(tries = 300)
-    void aboveTheLimitTheSwingsGrow(
+    void aboveTheLimitTheOscillationsGrow(
             @ForAll Integrator how,
             @ForAll Row row,
             @ForAll("masses") double mass,
@@ -129,7 +129,7 @@ class SpringsRecipePropertyTest {
         assertTrue(what.equals("grows"), what);
     }
 
-    /** At f = k·dt, which is enough for one unit under EULER, a pair and a chain grow. */
+    /** At f = k·dt, which is enough for one unit under EULER, the oscillations of a pair and of a chain grow. */
     @Property(tries = 100)
     void theRuleForOneUnitIsNotEnoughForAPairOrAChain(@ForAll("masses") double mass, @ForAll("stiffness") double z) {
         double friction = z * mass / DT;

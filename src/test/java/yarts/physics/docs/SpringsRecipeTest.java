@@ -13,9 +13,9 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** The numbers of docs/cookbook.md, "Springs", for crowds, and of the bulk example in docs/guide.md. */
+/** The numbers for crowds in docs/cookbook.md, "Springs", and the example of docs/guide.md, "All units at once". */
 class SpringsRecipeTest {
-    /** The table's limit: the largest stiffness at which n springs at once still calm. */
+    /** The limit in the table: the largest k for an effective stiffness of n·k. */
     static double limit(Integrator integrator, int n, double mass, double friction, double dt) {
         switch (integrator) {
             case EULER:
@@ -82,7 +82,7 @@ class SpringsRecipeTest {
             force[i + 1] += fy;
         }
 
-        /** The greatest speed in the last second, in m/s; 0 if before that all units have come to rest. */
+        /** The highest speed in the last second, in m/s; 0 if all units have come to rest before. */
         double play() {
             double travel = 30 * Math.sqrt(n) * friction / push;
             int ticks = (int) (RATE * Math.min(3000, 60 + travel)), still = 0;
@@ -113,10 +113,10 @@ class SpringsRecipeTest {
         return new Crowd(how, n, friction, limit(how, springs, 1, friction, 1.0 / Crowd.RATE), push, corner);
     }
 
-    /** Under pushes that lead to distances down to 0.55 m. */
+    /** Under pushes that keep the distances above 0.55 m. */
     @ParameterizedTest
     @EnumSource
-    void aCrowdCalmsIfItsSpringsCountAsEight(Integrator how) {
+    void aCrowdComesToRestWithTheRuleForEightSprings(Integrator how) {
         double[][] cases = {{7, 0.3}, {30, 0.03}, {30, 0.1}, {100, 0.03}, {100, 0.06}};
         for (double[] a : cases) {
             for (double friction : a[0] == 100 ? new double[] {18} : new double[] {2, 18, 120}) {
@@ -131,10 +131,10 @@ class SpringsRecipeTest {
         }
     }
 
-    /** Under pushes that lead to distances down to 0.3 m. */
+    /** Under pushes that keep the distances above 0.3 m. */
     @ParameterizedTest
     @EnumSource
-    void aCrowdThatIsPressedHardCalmsIfItsSpringsCountAsSixteen(Integrator how) {
+    void aCrowdUnderAStrongPushComesToRestWithTheRuleForSixteenSprings(Integrator how) {
         for (int n : new int[] {30, 100}) {
             for (double friction : n == 100 ? new double[] {18} : new double[] {2, 18, 120}) {
                 for (boolean corner : new boolean[] {false, true}) {
@@ -148,10 +148,10 @@ class SpringsRecipeTest {
         }
     }
 
-    /** So the rule for a chain is too optimistic for a crowd, and that for a crowd for one that is pressed hard. */
+    /** So a crowd needs more than the rule for a chain, and under a strong push more than the rule for a crowd. */
     @ParameterizedTest
     @EnumSource
-    void aCrowdShakesIfItsSpringsCountAsFourAndAHardPressedOneIfTheyCountAsEight(Integrator how) {
+    void aCrowdShakesWithTheRuleForFourSpringsAndUnderAStrongPushWithTheRuleForEight(Integrator how) {
         for (boolean corner : new boolean[] {false, true}) {
             double soft = crowd(how, 4, 30, 18, 0.1, corner).play(),
                     hard = crowd(how, 8, 100, 18, 0.3, corner).play();
@@ -159,10 +159,10 @@ class SpringsRecipeTest {
         }
     }
 
-    /** The counts at which crowds begin to shake, as the table gives them. */
+    /** The measured effective stiffnesses in the table, in multiples of k. */
     @ParameterizedTest
     @EnumSource
-    void theMeasuredCountsOfCrowdsAreFiveToSevenAndSevenToThirteen(Integrator how) {
+    void theEffectiveStiffnessOfACrowdIsFiveToSevenAndUnderAStrongPushSevenToThirteen(Integrator how) {
         for (boolean corner : new boolean[] {false, true}) {
             double soft = count(how, 30, 0.1, corner);
             assertEquals(6, soft, 1, "soft, " + corner);
@@ -171,7 +171,7 @@ class SpringsRecipeTest {
         }
     }
 
-    /** The last count, from run to run a smaller one, at which the crowd calms; with EXACT's own lag. */
+    /** The effective stiffness: lowers the number of springs until the crowd shakes. For EXACT, with its exact lag. */
     private static double count(Integrator how, int n, double push, boolean corner) {
         double friction = 18, dt = 1.0 / Crowd.RATE, z = friction * dt;
         double exact = how == Integrator.EXACT ? 0.5 / (1 / z - 1 / Math.expm1(z)) : 1;
@@ -181,9 +181,9 @@ class SpringsRecipeTest {
         }
     }
 
-    /** The report: 30 units, f/m = 18 /s. The rule k·dt < f of a single unit is three times too optimistic. */
+    /** 30 units, f/m = 18 /s: the crowd allows only a third to two thirds of k·dt = f, the rule for a single unit. */
     @Test
-    void thirtyUnitsUnderAPushAreStillAtAThirdOfTheRuleForOneUnitAndShakeAtTwoThirds() {
+    void thirtyUnitsUnderAPushComeToRestAtAThirdOfTheStiffnessForOneUnitAndShakeAtTwoThirds() {
         double unit = 18 * Crowd.RATE;
         assertEquals(0, new Crowd(Integrator.EXACT, 30, 18, 0.33 * unit, 0.1, false).play());
         double shaking = new Crowd(Integrator.EXACT, 30, 18, 0.67 * unit, 0.1, false).play();
@@ -193,7 +193,7 @@ class SpringsRecipeTest {
     /** k = 5,000 N/m, c = 200 N·s/m, m = 2 kg at 50 steps/s, from (2, 0) to (5, 5). */
     @ParameterizedTest
     @EnumSource
-    void frictionOnASpringCalmsTheUnit(Integrator how) {
+    void withFrictionAUnitOnASpringComesToRest(Integrator how) {
         Unit unit = new Unit(2).setFriction(200).setPosition(2, 0);
         for (int tick = 0; tick < 500; tick++) pull(unit, 0, how);
         assertEquals(5, unit.getX(), 1e-9);
@@ -202,7 +202,7 @@ class SpringsRecipeTest {
     }
 
     @Test
-    void theSameDamperAsAForceReversesTheUnitInEveryStepOrMakesItsSwingsGrow() {
+    void theSameDamperAsAForceReversesTheUnitInEveryStepOrMakesItsOscillationsGrow() {
         for (Integrator how : new Integrator[] {Integrator.EXACT, Integrator.MIDPOINT}) {
             Unit unit = new Unit(2).setPosition(2, 0);
             for (int tick = 0; tick < 500; tick++) {

@@ -22,13 +22,13 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** The claims of docs/troubleshooting.md that its blocks do not show. */
+/** The claims of docs/troubleshooting.md that its code blocks do not show. */
 class TroubleshootingTest {
     @TempDir
     Path classes;
 
     @Test
-    void theLineThatDoesNotCompileDoesNot() throws Exception {
+    void theLineMarkedAsNotCompilingDoesNotCompile() throws Exception {
         Matcher block = Pattern.compile(
                         "```java\n((?:(?!```).)*?)// ([^\n]*) // does not compile(.*?)```", Pattern.DOTALL)
                 .matcher(Files.readString(Path.of("docs/troubleshooting.md")));
@@ -51,7 +51,7 @@ class TroubleshootingTest {
     }
 
     @Test
-    void aUnitDoesNotMoveForFiveReasonsAndMovesWhenTheyAreCured() {
+    void eachOfTheFiveCausesStopsAUnitAndItsCureLetsItMove() {
         assertCured(unit -> unit.setMotor(0, 0, 10), unit -> unit.setMotor(0, 0, 0));
         assertCured(unit -> unit.setFrozen(true), unit -> unit.setFrozen(false));
         assertCured(unit -> unit.setMaxSpeed(0), unit -> unit.setMaxSpeed(5));
@@ -64,7 +64,7 @@ class TroubleshootingTest {
         assertEquals(0, unit.getX());
     }
 
-    /** A push of 9 N moves a unit except for the cause. */
+    /** Checks that a push of 9 N moves a unit only after the cure. */
     private static void assertCured(Consumer<Unit> cause, Consumer<Unit> cure) {
         World world = new World();
         Unit unit = world.add(new Unit(1));
@@ -80,7 +80,7 @@ class TroubleshootingTest {
     }
 
     @Test
-    void aStepCompletedBeforeAChangeOfTheTimestepLeavesThePictureWhereItIs() {
+    void ifTheStepIsCompletedBeforeAChangeOfTheTimestepThePictureDoesNotJump() {
         Random random = new Random(1);
         for (int game = 0; game < 2_000; game++) {
             int rate = 1 + random.nextInt(240);
@@ -96,7 +96,7 @@ class TroubleshootingTest {
     }
 
     @Test
-    void clearMakesTheFactoryCreateTheUnitsOfASave() {
+    void afterClearTheFactoryCreatesAllUnitsOfASave() {
         World saved = new World(), running = new World();
         for (int i = 0; i < 3; i++) saved.add(new Unit(i + 1));
         for (int i = 0; i < 5; i++) running.add(new Unit(9));

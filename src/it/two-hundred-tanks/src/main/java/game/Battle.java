@@ -12,11 +12,11 @@ import yarts.physics.World;
 final class Battle {
     static final double MASS = 40_000; // kg
     static final double ENGINE = 4, BRAKES = 8; // m/s²
-    static final double TOP = 10, FLUNG = 20; // m/s: the top speed by the engine, and by a push or a blast
+    static final double TOP = 10, FLUNG = 20; // m/s: the top speed with the engine, and under a push or a blast
     static final double APART = 4; // m: tanks that are closer push each other apart
-    static final double STIFFNESS = 20; // 1/s²: the push for each kilogram and each metre of overlap
-    static final double STRONGEST = 8; // m/s²: the limit of the push on a tank, for each kilogram
-    static final double WALL = APART / 2, CORNER = WALL + 1; // m: how far tanks keep from walls, and pass corners
+    static final double STIFFNESS = 20; // 1/s²: the push per kilogram and per metre of overlap
+    static final double STRONGEST = 8; // m/s²: the limit of the push on a tank, per kilogram
+    static final double WALL = APART / 2, CORNER = WALL + 1; // m: the distance of tanks from walls, and from corners
     static final double SPACING = 0.65 * APART; // m: with 0.65, two places in a crowd are never closer than APART
     static final double GOLDEN = 2.399963229728653; // radians: the golden angle
     static final int CELLS = 128; // the grid has CELLS × CELLS cells of APART × APART
@@ -26,8 +26,8 @@ final class Battle {
     static final class Tank extends Unit {
         private List<Stop> order; // the click, then the corners of the buildings
         private Stop place; // in the crowd around the click
-        private double pushX, pushY; // m/s²: the push of all neighbours in this step
-        private Tank next; // in the same cell of the grid
+        private double pushX, pushY; // m/s²: the sum of the pushes of all neighbours in this step
+        private Tank next; // the next tank in the same cell of the grid
 
         private Tank(double x, double y) {
             super(MASS);
@@ -36,7 +36,7 @@ final class Battle {
         }
     }
 
-    /** A point, and the length of the way from there to the click. */
+    /** A point, and the length of the way that is left from there to the click. */
     private record Stop(double x, double y, double left) {}
 
     private record Building(double x, double y, double halfWidth, double halfHeight) {
@@ -97,7 +97,7 @@ final class Battle {
         }
     }
 
-    /** Whether a tank's place is in sight of the click, leaves a lane along the walls, and is not another order's. */
+    /** Whether a place is in sight of the click, not in the lane along a wall, and not too close to another order's. */
     private boolean isFree(Tank tank) {
         double x = tank.place.x, y = tank.place.y;
         for (Building b : buildings) if (b.blocks(x, y, tank.place, CORNER + APART)) return false;
@@ -107,7 +107,7 @@ final class Battle {
         return isClear(x, y, tank.order.get(0));
     }
 
-    /** Throws tanks away from a point, with this speed in m/s at the point, and less with the distance. */
+    /** Throws tanks away from a point: by this speed in m/s at the point, decreasing to 0 at the radius. */
     void blast(double x, double y, double radius, double speed) {
         for (Tank tank : tanks) {
             double dx = tank.getX() - x, dy = tank.getY() - y, distance = length(dx, dy);
@@ -140,7 +140,7 @@ final class Battle {
     /** Pushes two tanks apart. They swap their places if this makes their ways shorter. */
     private static void meet(Tank a, Tank b) {
         double dx = a.getX() - b.getX(), dy = a.getY() - b.getY();
-        if (dx == 0 && dy == 0) { // at the same point: each tank in a direction of its own
+        if (dx == 0 && dy == 0) { // at the same point: a different direction for each tank
             dx = 1e-9 * StrictMath.cos(GOLDEN * a.getIndex());
             dy = 1e-9 * StrictMath.sin(GOLDEN * a.getIndex());
         }
@@ -156,7 +156,7 @@ final class Battle {
         b.place = place;
     }
 
-    /** Arrival with brakes. If a building is in the way, the tank aims at the stop with the shortest way. */
+    /** Arrival with brakes. If a building is in the way, the tank drives to the stop with the shortest way. */
     private void drive(Tank tank, double dt) {
         double vx = tank.getVx(), vy = tank.getVy(), x = tank.getX() + lag * dt * vx, y = tank.getY() + lag * dt * vy;
         Stop place = tank.place, aim = place;
@@ -184,7 +184,7 @@ final class Battle {
         return true;
     }
 
-    /** Leads a unit out of a building to the nearest wall. It keeps its velocity along the wall. */
+    /** Moves a unit out of a building to the nearest wall. The unit keeps its velocity along the wall. */
     private void keepOut(Unit unit) {
         for (Building b : buildings) {
             double x = unit.getX(), y = unit.getY(), vx = unit.getVx(), vy = unit.getVy(), dx = x - b.x, dy = y - b.y;
