@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -101,13 +103,9 @@ final class Report {
     static String tables(List<Results> all) throws IOException {
         Results first = all.get(0);
         StringBuilder out = new StringBuilder();
-        for (Results results : all) {
-            out.append("- **")
-                    .append(results.name())
-                    .append("**: ")
-                    .append(results.machine().lines().collect(Collectors.joining("; ")))
-                    .append('\n');
-        }
+        Set<String> machine = new LinkedHashSet<>();
+        for (Results results : all) results.machine().lines().forEach(machine::add);
+        for (String line : machine) out.append("- ").append(line).append('\n');
         out.append("\n## A force on every unit and a step\n\n");
         Optional<Row> list = peer(Peers.OBJECT_LIST).in(first, GAME);
         table(
