@@ -13,9 +13,8 @@ final class Battle {
     static final double MASS = 40_000; // kg
     static final double ENGINE = 4, BRAKES = 8; // m/s²
     static final double TOP = 10, FLUNG = 20; // m/s: the top speed with the engine, and under a push or a blast
-    static final double APART = 4; // m: tanks that are closer push each other apart
-    static final double STIFFNESS = 20; // 1/s²: the push per kilogram and per metre of overlap
-    static final double STRONGEST = 8; // m/s²: the limit of the push on a tank, per kilogram
+    static final double APART = 4, NEAR = 60; // m: closer tanks push each other; tanks with closer clicks swap places
+    static final double STIFFNESS = 20, STRONGEST = 8; // per kilogram: the push per metre of overlap, and its limit
     static final double WALL = APART / 2, CORNER = WALL + 1; // m: the distance of tanks from walls, and from corners
     static final double SPACING = 0.65 * APART; // m: with 0.65, two places in a crowd are never closer than APART
     static final double GOLDEN = 2.399963229728653; // radians: the golden angle
@@ -36,8 +35,7 @@ final class Battle {
         }
     }
 
-    /** A point, and the length of the way that is left from there to the click. */
-    private record Stop(double x, double y, double left) {}
+    private record Stop(double x, double y, double left) {} // a point, and the length of its way to the click
 
     private record Building(double x, double y, double halfWidth, double halfHeight) {
         boolean blocks(double fromX, double fromY, Stop to, double margin) {
@@ -90,7 +88,7 @@ final class Battle {
         for (Tank tank : selected) tank.order = stops;
         for (Tank tank : selected) {
             do {
-                double r = SPACING * Math.sqrt(i + 0.5), angle = GOLDEN * i++;
+                double r = SPACING * Math.sqrt(selected.size() > 1 ? i + 0.5 : i), angle = GOLDEN * i++;
                 double dx = r * StrictMath.cos(angle), dy = r * StrictMath.sin(angle);
                 tank.place = new Stop(click.getX() + dx, click.getY() + dy, r);
             } while (!isFree(tank) && i < 100_000);
@@ -151,9 +149,13 @@ final class Battle {
         b.pushX -= push * dx;
         b.pushY -= push * dy;
         Stop place = a.place;
-        if (a.order != b.order || dx * (place.x - b.place.x) + dy * (place.y - b.place.y) >= 0) return;
+        List<Stop> order = a.order;
+        if (order == null || b.order == null || dx * (place.x - b.place.x) + dy * (place.y - b.place.y) >= 0) return;
+        if (length(order.get(0).x - b.order.get(0).x, order.get(0).y - b.order.get(0).y) >= NEAR) return;
         a.place = b.place;
+        a.order = b.order;
         b.place = place;
+        b.order = order;
     }
 
     /** Arrival with brakes. If a building is in the way, the tank drives to the stop with the shortest way. */

@@ -62,6 +62,9 @@ public final class Game {
         }
         require(hash() == hash(), "the same game gives the same bits");
         for (Integrator integrator : Integrator.values()) throughACrowd(integrator);
+        for (int groups : new int[] {2, 5, 20})
+            for (double apart : new double[] {0, 1, 20}) nearbyClicks(groups, apart);
+        oneTank();
     }
 
     /** Three clicks, the third while they drive, and a blast in the crowd. */
@@ -208,6 +211,32 @@ public final class Game {
         require(game.rest(), "two crowds come to rest");
         for (int i = TANKS; i < 2 * TANKS; i++) require(Math.abs(after[i] - before[i]) < 60, "the second crowd stays");
         for (int i = 0; i < TANKS; i += 2) require(after[i] > 60 && after[i + 1] < -40, "the first crowd arrives");
+    }
+
+    /** Several groups drive from one place to clicks near each other, at the same time. All come to rest. */
+    private static void nearbyClicks(int groups, double apart) {
+        Game game = new Game(Integrator.EXACT, 60);
+        Random random = new Random(groups);
+        for (int i = 0; i < TANKS; i++) game.battle.addTank(-110 + 50 * random.nextDouble(), 90 * random.nextDouble());
+        for (int i = 0; i < groups; i++) {
+            game.click(
+                    game.battle.tanks.subList(i * TANKS / groups, (i + 1) * TANKS / groups), 80 + apart * (i % 3), 0);
+        }
+        do game.step();
+        while (!game.rest() && game.world.getTime() < LIMIT);
+        require(game.rest(), groups + " groups come to rest, with clicks " + apart + " m apart");
+        require(closestPair(game.positions()) >= Battle.APART, "they keep their distance");
+    }
+
+    /** A single tank stops on the click. */
+    private static void oneTank() {
+        World world = new World();
+        Battle battle = new Battle(world);
+        battle.addTank(-100, 0);
+        battle.order(battle.tanks, 80, 0);
+        for (int tick = 0; tick < 40 * 60; tick++) world.step();
+        Unit tank = world.get(0);
+        require(Math.hypot(tank.getX() - 80, tank.getY()) < 1e-9 && tank.getSpeed() == 0, "one tank stops: " + tank);
     }
 
     private static void require(boolean holds, String claim) {
