@@ -4,7 +4,7 @@ package yarts.physics;
  * Reads all units of a table or applies forces to them, by an array of the game: x0, y0, x1, y1, … in the order of the
  * rows.
  */
-final class Bulk {
+final strictfp class Bulk {
     private Bulk() {}
 
     /** The position at a fraction alpha of the step, from the previous one (0) to the next one (1, exactly). */

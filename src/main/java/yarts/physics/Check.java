@@ -1,7 +1,7 @@
 package yarts.physics;
 
 /** Argument checks and their messages. NaN fails every check, because each comparison with it is false. */
-final class Check {
+final strictfp class Check {
     /** The longest dt and elapsed; in seconds (32 years). */
     static final double MAX_TIME = 1e9;
 

@@ -10,7 +10,7 @@ package yarts.physics;
  *
  * <p>With variable steps, time waits only after a change from fixed steps. It is counted as if the rate were 1.
  */
-final class Clock {
+final strictfp class Clock {
     /** The number of parts of a step. */
     private static final long STEP = 1_000_000_000;
 

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * to step. A change of dt or integrator marks all tiles as stale, and a step computes stale tiles again. A change of
  * one row computes this row again.
  */
-final class Coefficients {
+final strictfp class Coefficients {
     private Coefficients() {}
 
     /** Prepares for a step: marks all tiles as stale if their coefficients are for another dt or integrator. */

@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 
 /** The differences between two states as text: a line for each value that differs, up to a hundred. */
-final class Difference {
+final strictfp class Difference {
     private static final int MAX_LINES = 100;
 
     private final StringBuilder text = new StringBuilder();
@@ -62,6 +62,6 @@ final class Difference {
     }
 
     private static String show(Object value) {
-        return value instanceof Double v ? Double.toHexString(v) + " (" + value + ")" : value.toString();
+        return value instanceof Double ? Double.toHexString((Double) value) + " (" + value + ")" : value.toString();
     }
 }

@@ -4,7 +4,7 @@ package yarts.physics;
  * The exponential function and the coefficients of {@link Integrator#EXACT} for z ≥ 0, within 5 ulp. Only + − * / are
  * used, so the bits are the same on every platform. (StrictMath differs where Java is translated to another language.)
  */
-final class Exponential {
+final strictfp class Exponential {
     /** Below this z, the gain and the decay are computed from the series of {@link #gain}, which can be vectorised. */
     static final double SMALL = 0.5;
 

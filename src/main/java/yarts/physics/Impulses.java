@@ -16,7 +16,7 @@ import java.util.Arrays;
  * <p>All are added to the force column f. A call that runs steps begins with f := share + waiting, where the share is
  * the force that the frame's impulse exerts in each step, and ends with waiting := f. A step uses f and clears it.
  */
-final class Impulses {
+final strictfp class Impulses {
     private Impulses() {}
 
     /** Ends a frame without a step: the forces of {@code elapsed} seconds become pending impulses. */

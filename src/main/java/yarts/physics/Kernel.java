@@ -17,7 +17,7 @@ package yarts.physics;
  * NaN and −0.0. If one operand of a sum is itself a sum, it comes first, because TeaVM omits the parentheses of
  * a + (b + c) in JavaScript; likewise for products.
  */
-final class Kernel {
+final strictfp class Kernel {
     /** The highest possible speed; in m/s. Its square, and the square of the change in a step, do not overflow. */
     static final double FASTEST = 0x1p500;
 

@@ -158,6 +158,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
      *
      * @param known the saved units, in order, if this world was saved; null to take the present units with the saved
      *     ids, and units of the factory for missing ones
+     * @param factory null for {@code new Unit}
      */
     void restore(State saved, Unit[] known, LongFunction<? extends Unit> factory) {
         int n = saved.table.size;
@@ -194,7 +195,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
             long id = saved.id[i];
             Unit unit = find(id);
             if (unit == null) {
-                unit = Check.notNull("the factory's unit", factory.apply(id));
+                unit = factory == null ? new Unit(1) : Check.notNull("the factory's unit", factory.apply(id));
                 if (made == null) made = Collections.newSetFromMap(new IdentityHashMap<>());
                 if (unit.table.owner != null || !made.add(unit)) {
                     throw new IllegalStateException(
@@ -259,7 +260,7 @@ final class Members extends AbstractList<Unit> implements RandomAccess {
 
     @Override
     public int indexOf(Object o) {
-        return o instanceof Unit unit && has(unit) ? unit.row : -1;
+        return o instanceof Unit && has((Unit) o) ? ((Unit) o).row : -1;
     }
 
     @Override

@@ -15,7 +15,7 @@ package yarts.physics;
  *       interface, and is compiled on its own.
  * </ul>
  */
-final class Passes {
+final strictfp class Passes {
     private Passes() {}
 
     /** A part of a step, for the rows from start (inclusive) to end (exclusive). */

@@ -79,7 +79,8 @@ public final class Snapshot {
      * {@return the snapshot as bytes, for a file or another machine} The format is the same on every machine: 160 bytes
      * per unit and 132 more. docs/snapshots.md describes each field.
      *
-     * @throws IllegalArgumentException if nothing was saved into this snapshot
+     * @throws IllegalArgumentException if nothing was saved into this snapshot, or if the bytes would not fit into an array
+     *     (more than 13 million units)
      */
     public byte[] toBytes() {
         return SnapshotFormat.write(state());

@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.zip.CRC32;
 
 /** Writes and reads a {@link State} as bytes. docs/snapshots.md describes the format field by field. */
-final class SnapshotFormat {
+final strictfp class SnapshotFormat {
     private static final int VERSION = 1;
 
     private static final long MAGIC = 0x5948505354524159L; // "YARTSPHY", the first letter in the lowest byte
@@ -21,7 +21,7 @@ final class SnapshotFormat {
 
     static byte[] write(State state) {
         Table t = state.table;
-        byte[] bytes = new byte[Math.toIntExact(length(t.size))];
+        byte[] bytes = new byte[(int) Check.count("the number of bytes", length(t.size), Integer.MAX_VALUE)];
         ByteBuffer out = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         Timestep timestep = state.clock.timestep();
         out.putLong(MAGIC).putInt(VERSION).putInt(t.size);

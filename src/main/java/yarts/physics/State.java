@@ -4,7 +4,7 @@ package yarts.physics;
  * Everything that the future steps of a world and the interpolated positions depend on. Hash, save and restore cover
  * exactly this. A {@link World} has one state, and a {@link Snapshot} has another.
  */
-final class State {
+final strictfp class State {
     Table table = new Table(0);
     final Clock clock;
     Integrator integrator;

@@ -11,7 +11,7 @@ package yarts.physics;
  *
  * <p>Immutable and thread-safe.
  */
-public final class Timestep {
+public final strictfp class Timestep {
     private static final int MAX_RATE = 1_000_000;
 
     /** Steps per second, or 0 if variable. */
@@ -105,10 +105,9 @@ public final class Timestep {
      */
     @Override
     public boolean equals(Object other) {
-        return other instanceof Timestep that
-                && rate == that.rate
-                && maxStep == that.maxStep
-                && maxSteps == that.maxSteps;
+        if (!(other instanceof Timestep)) return false;
+        Timestep that = (Timestep) other;
+        return rate == that.rate && maxStep == that.maxStep && maxSteps == that.maxSteps;
     }
 
     /** {@return a hash code of all properties} */

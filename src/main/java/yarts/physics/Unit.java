@@ -24,7 +24,7 @@ import java.io.NotSerializableException;
  * units that leave by {@link World#clear} or by a restore share arrays, of 208 bytes per unit. These arrays stay in
  * memory until each of these units has joined a world or is garbage-collected.
  */
-public class Unit {
+public strictfp class Unit {
     /** The table that contains the state of this unit. */
     Table table;
 

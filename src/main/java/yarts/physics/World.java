@@ -27,7 +27,7 @@ import java.util.function.Predicate;
  *
  * <p>Not thread-safe.
  */
-public final class World implements Iterable<Unit> {
+public final strictfp class World implements Iterable<Unit> {
     private static final StepListener[] NO_LISTENERS = {};
 
     final State state;
@@ -550,7 +550,7 @@ public final class World implements Iterable<Unit> {
      *     a unit of the snapshot is now in another world; this world is then unchanged
      */
     public void restore(Snapshot from) {
-        restore(from, id -> new Unit(1));
+        restoreUnits(from, null);
     }
 
     /**
@@ -568,8 +568,12 @@ public final class World implements Iterable<Unit> {
      *     nothing
      */
     public void restore(Snapshot from, LongFunction<? extends Unit> factory) {
+        restoreUnits(from, Check.notNull("factory", factory));
+    }
+
+    /** Creates missing units by new Unit if the factory is null: Android below 7 and RoboVM have no LongFunction. */
+    private void restoreUnits(Snapshot from, LongFunction<? extends Unit> factory) {
         Check.notNull("from", from);
-        Check.notNull("factory", factory);
         begin("a restore");
         from.restores++;
         try {

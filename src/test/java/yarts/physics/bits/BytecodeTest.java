@@ -48,6 +48,9 @@ class BytecodeTest {
         REDUCTION
     }
 
+    private static final Set<Integer> DOUBLE_ARITHMETIC =
+            Set.of(Opcodes.DADD, Opcodes.DSUB, Opcodes.DMUL, Opcodes.DDIV, Opcodes.DREM);
+
     private static final Set<Integer> FLOAT_ARITHMETIC = Set.of(
             Opcodes.FADD,
             Opcodes.FSUB,
@@ -82,6 +85,47 @@ class BytecodeTest {
             offences.removeIf(offence -> offence.matches(harmless));
             assertEquals(List.of(), offences);
         }
+    }
+
+    /**
+     * Before Java 17, a JVM could compute in other ranges where strictfp was missing. The class files are of Java 8, and so
+     * a JVM of any version obeys the modifier.
+     */
+    @Test
+    void everyMethodThatComputesWithDoublesIsStrict() throws Exception {
+        List<String> missing = new ArrayList<>();
+        int[] strict = {0};
+        try (Stream<Path> files = Files.walk(SameBitsTest.classes(World.class).resolve("yarts/physics"), 1)) {
+            for (Path file : files.filter(p -> p.toString().endsWith(".class")).toList()) {
+                ClassReader reader = new ClassReader(Files.readAllBytes(file));
+                assertEquals(Opcodes.V1_8, reader.readShort(6), file + " is of another version");
+                reader.accept(strictness(file.getFileName().toString(), missing, strict), ClassReader.SKIP_DEBUG);
+            }
+        }
+        assertEquals(List.of(), missing);
+        assertTrue(strict[0] > 50, "only " + strict[0] + " methods");
+    }
+
+    private static ClassVisitor strictness(String type, List<String> missing, int[] strict) {
+        return new ClassVisitor(Opcodes.ASM9) {
+            @Override
+            public MethodVisitor visitMethod(int access, String name, String desc, String generic, String[] thrown) {
+                return new MethodVisitor(Opcodes.ASM9) {
+                    private boolean computes;
+
+                    @Override
+                    public void visitInsn(int opcode) {
+                        computes |= DOUBLE_ARITHMETIC.contains(opcode);
+                    }
+
+                    @Override
+                    public void visitEnd() {
+                        if (computes && (access & Opcodes.ACC_STRICT) == 0) missing.add(type + '.' + name);
+                        else if (computes) strict[0]++;
+                    }
+                };
+            }
+        };
     }
 
     @Test

@@ -2,7 +2,7 @@ package yarts.physics.bits;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
+import java.nio.file.Paths;
 import yarts.physics.Snapshot;
 import yarts.physics.World;
 import yarts.physics.support.Churn;
@@ -19,10 +19,10 @@ public final class SnapshotMain {
     public static void main(String[] args) throws IOException {
         World.checkArithmetic();
         World world = new World();
-        world.restore(Snapshot.fromBytes(Files.readAllBytes(Path.of(args[0]))));
+        world.restore(Snapshot.fromBytes(Files.readAllBytes(Paths.get(args[0]))));
         System.out.print(Long.toHexString(world.stateHash()));
         new Churn(1).play(world, Integer.parseInt(args[2]));
         System.out.println(" " + Long.toHexString(world.stateHash()));
-        Files.write(Path.of(args[1]), world.save().toBytes());
+        Files.write(Paths.get(args[1]), world.save().toBytes());
     }
 }

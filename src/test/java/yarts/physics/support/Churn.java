@@ -1,6 +1,7 @@
 package yarts.physics.support;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import yarts.physics.Integrator;
 import yarts.physics.Snapshot;
@@ -382,8 +383,8 @@ public final class Churn {
 
     /** {@return all values of a world, read without save and stateHash} The sign of 0 is ignored. */
     public static List<Long> bits(World world) {
-        List<Long> bits = new ArrayList<>(
-                List.of(world.getTick(), bits(world.getTime()), bits(world.getDroppedTime()), bits(world.getAlpha())));
+        List<Long> bits = new ArrayList<>(Arrays.asList(
+                world.getTick(), bits(world.getTime()), bits(world.getDroppedTime()), bits(world.getAlpha())));
         bits.add((long) world.getIntegrator().name().hashCode());
         bits.add((long) world.getTimestep().hashCode());
         for (Unit unit : world) bits.addAll(bits(unit));
@@ -410,7 +411,7 @@ public final class Churn {
 
     /** {@return the values that a unit keeps when it leaves its world} */
     public static List<Long> kept(Unit unit) {
-        List<Long> bits = new ArrayList<>(List.of(unit.getId(), unit.isFrozen() ? 1L : 0));
+        List<Long> bits = new ArrayList<>(Arrays.asList(unit.getId(), unit.isFrozen() ? 1L : 0));
         for (double v : new double[] {
             unit.getX(),
             unit.getY(),
