@@ -46,7 +46,7 @@ class SoakTest {
                 processes.parallelStream().map(SoakTest::lines).toList();
         List<String> hashes = only(runs.get(0), "hash"), otherHashes = only(runs.get(1), "hash");
         int common = Math.min(hashes.size(), otherHashes.size());
-        assertTrue(common > 3, common + " hashes");
+        assertTrue(common > 0, "no common hash");
         assertEquals(hashes.subList(0, common), otherHashes.subList(0, common));
         assertEquals(
                 common,
