@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.LongStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -17,14 +18,18 @@ class SoakTest {
     private static final long SECONDS = Long.getLong("soak.seconds", 4);
 
     private static Process play() throws Exception {
+        return run("-Xmx64m", SoakMain.class, SECONDS);
+    }
+
+    private static Process run(String heap, Class<?> main, long argument) throws Exception {
         return new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-Xmx64m",
+                        heap,
                         "-XX:+UseSerialGC",
                         "-cp",
                         System.getProperty("java.class.path"),
-                        SoakMain.class.getName(),
-                        String.valueOf(SECONDS))
+                        main.getName(),
+                        String.valueOf(argument))
                 .redirectErrorStream(true)
                 .start();
     }
@@ -67,6 +72,14 @@ class SoakTest {
             assertTrue(least < most + (1 << 20), least + " bytes are in use at the end, and " + most + " were before");
         }
         if (SECONDS > 60) System.out.println(common + " common hashes, the last " + hashes.get(common - 1));
+    }
+
+    /** With {@code -Dsoak.steps=240000}, five million steps. */
+    @Test
+    @Tag("long")
+    void worldsOnPoolsOfAnySizeNeverHangAndHaveTheSameBits() throws Exception {
+        List<String> lines = lines(run("-Xmx1g", ThreadsMain.class, Long.getLong("soak.steps", 4_000)));
+        assertTrue(lines.get(lines.size() - 1).endsWith("the same bits"), lines.toString());
     }
 
     /** The memory in use in some parts of the run. */
