@@ -47,7 +47,7 @@ class AdoptingPropertyTest {
         if (!movesFirst && !acceleratesFirst) force = mass * a / keep;
         World world = new World(integrator, Timestep.fixed(rate));
         Unit unit = world.add(new Unit(mass).setFriction(friction).setVelocity(start, 0));
-        double x = 0, v = start, farthest = 0;
+        double x = 0, v = start, farthest = (Math.abs(start) + Math.abs(a) / rate) / rate;
         for (int tick = 0; tick < TICKS; tick++) {
             if (movesFirst) x += v / rate;
             v = acceleratesFirst ? (v + a / rate) * keep : v * keep + a / rate;
@@ -95,7 +95,7 @@ class AdoptingPropertyTest {
     void setVelocityGivesRobocodesPositionsToTheBit(@ForAll Integrator integrator, @ForAll Random random) {
         World world = new World(integrator, Timestep.fixed(1));
         Unit unit = world.add(new Unit(1));
-        double x = 0, y = 0, v = 0, heading = 0, distance = 0, most = 8;
+        double x = 0, y = 0, v = 0, heading = 0, distance = 400, most = 8;
         for (int turn = 0; turn < TICKS; turn++) {
             if (random.nextInt(20) == 0) {
                 distance = random.nextInt(5) == 0 ? Double.NEGATIVE_INFINITY : 400 * (random.nextDouble() - 0.5);
