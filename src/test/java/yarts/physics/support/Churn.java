@@ -23,7 +23,7 @@ public final class Churn {
         Timestep.fixed(60).withMaxSteps(4),
         Timestep.fixed(60),
         Timestep.fixed(144).withMaxSteps(3),
-        Timestep.fixed(7),
+        Timestep.fixed(7).withMaxSteps(1),
         Timestep.variable(0.01).withMaxSteps(4),
         Timestep.variable(0.05)
     };
