@@ -17,7 +17,7 @@ import java.util.List;
 import java.util.jar.JarFile;
 import yarts.physics.Unit;
 
-/** An Android build's part: D8 turns the library's jar into Android's code, without a warning. */
+/** A part of an Android build: D8 translates the jar of the library, without a warning. */
 public final class Game {
     private static final int API = 24; // Android 7
     private static final int CLASSES = 0x60; // where the header of a dex file has the number of classes
@@ -62,7 +62,7 @@ public final class Game {
         if (!holds) throw new AssertionError(claim);
     }
 
-    /** Keeps what D8 would print. */
+    /** Collects the messages of D8. */
     private static final class Complaints implements DiagnosticsHandler {
         final List<String> messages = new ArrayList<>();
 

@@ -4,7 +4,7 @@ import com.artemis.Component;
 import com.artemis.annotations.DelayedComponentRemoval;
 import yarts.physics.Unit;
 
-/** What an entity has that moves. It is still there when systems are told of its removal. */
+/** The unit of an entity. It still exists when artemis-odb calls the systems for its removal. */
 @DelayedComponentRemoval
 public final class Body extends Component {
     Unit unit;

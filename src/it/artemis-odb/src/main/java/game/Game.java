@@ -31,7 +31,7 @@ public final class Game {
         world.create(); // a tree
     }
 
-    /** Full throttle. What it deletes is removed before the next system runs. */
+    /** Drives all tanks at full throttle. Entities that it deletes are removed before the next system runs. */
     @All(Body.class)
     private static final class Orders extends IteratingSystem {
         private ComponentMapper<Body> bodies;
@@ -85,7 +85,7 @@ public final class Game {
         plain.add(tank(i));
     }
 
-    /** The same frame without an engine; returns how many are lost. */
+    /** Runs the same frame without an engine, and returns the number of tanks that are lost. */
     private int plainly(float delta) {
         int before = plain.size();
         plain.removeIf(Game::isMined);

@@ -3,5 +3,5 @@ package game;
 import com.badlogic.ashley.core.Component;
 import yarts.physics.Unit;
 
-/** What an entity has that moves. It has it as long as it lives. */
+/** The unit of an entity, from its creation to its removal. */
 record Body(Unit unit) implements Component {}

@@ -34,7 +34,7 @@ public final class Game {
         engine.addEntity(new Entity()); // a tree
     }
 
-    /** Full throttle. While systems run, the engine puts a removal off until the system is done. */
+    /** Drives all tanks at full throttle. While a system runs, the engine delays removals until the system ends. */
     private static final class Orders extends IteratingSystem {
         Orders(Family bodies) {
             super(bodies);
@@ -84,7 +84,7 @@ public final class Game {
         plain.add(tank(i));
     }
 
-    /** The same frame without an engine; returns how many are lost. */
+    /** Runs the same frame without an engine, and returns the number of tanks that are lost. */
     private int plainly(float delta) {
         int before = plain.size();
         plain.removeIf(Game::isMined);

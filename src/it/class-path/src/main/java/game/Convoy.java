@@ -12,7 +12,7 @@ final class Convoy {
 
     private final World world = new World();
     private final List<Tank> tanks = new ArrayList<>();
-    /** Where, how fast and for how long each brakes. */
+    /** The place, speed and duration of each tank's braking. */
     private final double[] x = new double[20], y = new double[20], speed = new double[20];
 
     private final int[] braking = new int[20]; // ticks
@@ -133,7 +133,7 @@ final class Convoy {
         went((m * speed[i] - b * time) / f, Math.hypot(tank.getX() - x[i], tank.getY() - y[i]), tank, b);
     }
 
-    /** The way is that of the closed form, but for the step in which the motor reaches its velocity. */
+    /** The distance is that of the closed form, to within the step in which the motor reaches its velocity. */
     private static void went(double expected, double actual, Tank tank, double force) {
         double most = force * DT * DT / (4 * tank.getMass()) + 1e-9 * expected;
         Game.require(Math.abs(actual - expected) <= most, "expected a way of " + expected + " m, was " + actual);

@@ -25,7 +25,7 @@ public final class Game {
                 + " exactly the ordered velocity and rest, with the same bits at 15 and 144 frames/s");
     }
 
-    /** Ten seconds of full throttle, once a frame. The strongest engines reach the top speed. */
+    /** Ten seconds at full throttle, applied once per frame. The strongest engines reach the top speed. */
     private static void race(double rate) {
         World world = new World();
         for (int i = 1; i <= 20; i++) world.add(new Tank(10_000 * i));
@@ -71,7 +71,7 @@ public final class Game {
         require(tank.getY() == 0 && tank.getVy() == 0, "it drove straight on");
     }
 
-    /** Friction that would take half as much again as the unit has (z = 1.5) stops it. */
+    /** Friction with z = 1.5, which would reverse a unit under the naive rule, stops it. */
     private static void brake() {
         Unit unit = new Unit(1).setFriction(90).setVelocity(10, 0);
         unit.integrate(DT);

@@ -2,7 +2,7 @@ package game;
 
 import yarts.physics.Unit;
 
-/** What a game makes of a unit: it knows its engine, and how to drive. */
+/** A unit of the game, with an engine. */
 final class Tank extends Unit {
     static final double BRAKES = 200_000; // N
 

@@ -93,7 +93,7 @@ public final class Game {
         plain.add(tank(i));
     }
 
-    /** The same frame without an engine; returns how many are lost. */
+    /** Runs the same frame without an engine, and returns the number of tanks that are lost. */
     private int plainly(double delta) {
         int before = plain.size();
         plain.removeIf(Game::isMined);

@@ -1,6 +1,6 @@
 package game;
 
-/** One scene in dyn4j and in yarts-physics: what is alike, and what differs by design. */
+/** Compares one scene in dyn4j and in yarts-physics: the same results, and the differences by design. */
 public final class Game {
     private static final double PUSH = 30_000, MASS = 1_000; // N, kg
 
@@ -17,7 +17,7 @@ public final class Game {
                 + " from z = 1 on dyn4j stands still where F/f is 0.5 m/s; a push a frame depends on the frame rate");
     }
 
-    /** Free flight and an impulse are the same but for rounding. */
+    /** Free flight and an impulse give the same results, to within rounding. */
     private static void fliesAlike() {
         Scene before = new Dyn4jScene(60, 0), after = new YartsScene(60, 0);
         for (Scene scene : new Scene[] {before, after}) {
@@ -31,7 +31,7 @@ public final class Game {
         }
     }
 
-    /** Damping is friction/mass. The two tend to one motion as z = f dt/m becomes small; here it is 0.0015. */
+    /** Damping is friction/mass. Both motions converge as z = f dt/m becomes small; here z is 0.0015. */
     private static void drivesAlikeAtHighTickRates() {
         double friction = 1_500, z = friction / MASS / 1_000, t = 1;
         Scene before = new Dyn4jScene(1_000, friction), after = new YartsScene(1_000, friction);
@@ -42,7 +42,7 @@ public final class Game {
         near(v, before.buggy().vx(), 2 * z * PUSH / friction, "dyn4j comes near it");
     }
 
-    /** Without friction both get the right speed; dyn4j's place is ahead by a t dt/2. */
+    /** Without friction, both give the right speed; the position in dyn4j is ahead by a t dt/2. */
     private static void leads() {
         Scene before = new Dyn4jScene(60, 0), after = new YartsScene(60, 0);
         play(before, 1, 60);
@@ -54,7 +54,7 @@ public final class Game {
         near(a / 2 + a / 120, before.buggy().x(), 1e-9, "dyn4j's way");
     }
 
-    /** Damping after the push leaves (1 - z) of F/f, and nothing from z = 1 on. */
+    /** Damping after the push gives the terminal speed (1 - z) F/f, and 0 from z = 1 on. */
     private static void hasAnotherTerminalSpeed() {
         double friction = 60_000;
         for (int rate : new int[] {20, 60, 120, 240}) {
@@ -68,8 +68,8 @@ public final class Game {
     }
 
     /**
-     * A push a frame, at steps of 1/60 s: dyn4j gives it to the next step, be there four in the frame or a quarter. It is to
-     * be pushed in a listener of its steps.
+     * One push per frame, with steps of 1/60 s: in dyn4j it acts for the next step, whether the frame has four steps or a
+     * quarter of one. The remedy is to push in a step listener.
      */
     private static void losesAndMultipliesForces() {
         for (int framesPerSecond : new int[] {15, 60, 240}) {
@@ -82,7 +82,7 @@ public final class Game {
         }
     }
 
-    /** dyn4j's is 2 m a step, which its settings can change; a unit has a top speed if it is given one. */
+    /** The cap of dyn4j is 2 m per step by default; a unit has no top speed by default. */
     private static void hasALimitOfItsOwn() {
         Scene before = new Dyn4jScene(60, 0), after = new YartsScene(60, 0);
         for (Scene scene : new Scene[] {before, after}) {

@@ -1,11 +1,11 @@
 package game;
 
-/** What the game sees of its physics, whichever that is. */
+/** The physics of the game, which two libraries implement. */
 interface Scene {
-    /** Where something is, in m, and how it moves, in m/s. */
+    /** A position in m, and a velocity in m/s. */
     record Motion(double x, double y, double vx, double vy) {}
 
-    /** Passes the seconds of a frame, with the buggy's engine running. */
+    /** Advances by the seconds of a frame, with the buggy's engine on. */
     void frame(double elapsed);
 
     /** Hits the shell with an impulse, in N·s. */

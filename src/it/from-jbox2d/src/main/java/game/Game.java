@@ -1,6 +1,6 @@
 package game;
 
-/** One scene in JBox2D and in yarts-physics: what is alike, and what differs by design. */
+/** Compares one scene in JBox2D and in yarts-physics: the same results, and the differences by design. */
 public final class Game {
     private static final double PUSH = 30_000, MASS = 1_000; // N, kg
 
@@ -17,7 +17,7 @@ public final class Game {
                 + " from z = 1 on JBox2D stands still where F/f is 0.5 m/s; a push a frame depends on the frame rate");
     }
 
-    /** Free flight and an impulse are the same but for rounding, which is that of floats in JBox2D. */
+    /** Free flight and an impulse give the same results, to within the rounding of JBox2D's floats. */
     private static void fliesAlike() {
         flies(new JBox2dScene(60, 0), 0.01, 1e-5);
         flies(new YartsScene(60, 0), 1e-9, 1e-12);
@@ -33,7 +33,7 @@ public final class Game {
         near(45, scene.shell().vy(), metresPerSecond, "the shell's velocity along y");
     }
 
-    /** Damping is friction/mass. The two tend to one motion as z = f dt/m becomes small; here it is 0.0015. */
+    /** Damping is friction/mass. Both motions converge as z = f dt/m becomes small; here z is 0.0015. */
     private static void drivesAlikeAtHighTickRates() {
         double friction = 1_500, z = friction / MASS / 1_000, t = 1;
         Scene before = new JBox2dScene(1_000, friction), after = new YartsScene(1_000, friction);
@@ -44,7 +44,7 @@ public final class Game {
         near(v, before.buggy().vx(), 2 * z * PUSH / friction, "JBox2D comes near it");
     }
 
-    /** Without friction both get the right speed; JBox2D's place is ahead by a t dt/2. */
+    /** Without friction, both give the right speed; the position in JBox2D is ahead by a t dt/2. */
     private static void leads() {
         Scene before = new JBox2dScene(60, 0), after = new YartsScene(60, 0);
         play(before, 1, 60);
@@ -56,7 +56,7 @@ public final class Game {
         near(a / 2 + a / 120, before.buggy().x(), 1e-4, "JBox2D's way");
     }
 
-    /** Damping after the push leaves (1 - z) of F/f, and nothing from z = 1 on. */
+    /** Damping after the push gives the terminal speed (1 - z) F/f, and 0 from z = 1 on. */
     private static void hasAnotherTerminalSpeed() {
         double friction = 60_000;
         for (int rate : new int[] {20, 60, 120, 240}) {
@@ -70,8 +70,8 @@ public final class Game {
     }
 
     /**
-     * A push a frame, at steps of 1/60 s: JBox2D gives it to the next step, be there four in the frame or a quarter. It is to
-     * be pushed before each step, in the loop over them.
+     * One push per frame, with steps of 1/60 s: in JBox2D it acts for the next step, whether the frame has four steps or a
+     * quarter of one. The remedy is to push before each step.
      */
     private static void losesAndMultipliesForces() {
         for (int framesPerSecond : new int[] {15, 60, 240}) {
@@ -84,7 +84,7 @@ public final class Game {
         }
     }
 
-    /** JBox2D's is 2 m a step, a constant; a unit has a top speed if it is given one. */
+    /** The cap of JBox2D is 2 m per step, a constant; a unit has no top speed by default. */
     private static void hasALimitOfItsOwn() {
         Scene before = new JBox2dScene(60, 0), after = new YartsScene(60, 0);
         for (Scene scene : new Scene[] {before, after}) {

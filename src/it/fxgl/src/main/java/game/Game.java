@@ -23,12 +23,12 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** An FXGL game on a screen that is not there: the whole of JavaFX runs, and draws into memory. */
+/** An FXGL game without a screen: all of JavaFX runs, and draws into memory. */
 public final class Game extends GameApplication {
     private static final int TANKS = 50;
     private static final int TICKS = 90;
     private static final double METRE = 10; // pixels
-    /** Of JavaFX, which warns that it is on the class path. */
+    /** The logger of JavaFX, which warns that it is on the class path. */
     private static final Logger LOGGER = Logger.getLogger("javafx");
 
     // tag::adapter[]

@@ -21,7 +21,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** A company drives to its camp, each tank steered by gdx-ai: all there, none on another, and then still. */
+/** A company drives to its camp, steered by gdx-ai: all tanks arrive, none overlap, and then all are at rest. */
 public final class Game {
     private static final int RATE = 60;
     private static final double MASS = 40_000, FRICTION = 8_000; // kg, N·s/m
@@ -45,7 +45,7 @@ public final class Game {
     private Game(int tanks) {
         List<Steerable<Vector2>> group = new ArrayList<>();
         for (int i = 0; i < tanks; i++) {
-            // Not in a perfect square, which would have to decide which way to break.
+            // Not in a perfect square, whose symmetry would remain.
             Unit unit = new Unit(MASS).setFriction(FRICTION).setPosition(4 * (i % 4), 3 * (i / 4) + 0.5 * (i % 3));
             group.add(Steered.steerable(world.add(unit)));
         }
@@ -74,7 +74,7 @@ public final class Game {
         });
     }
 
-    /** Advances by whole seconds, and counts the steps after which a tank drives back the way it came. */
+    /** Advances by whole seconds, and counts the steps in which a tank reverses. */
     private void play(int seconds) {
         double[] vx = new double[world.size()], vy = new double[world.size()];
         for (int tick = 0; tick < seconds * RATE; tick++) {
@@ -91,7 +91,7 @@ public final class Game {
         }
     }
 
-    /** dv/dt = (u − v)/τ − f/m v tends to u/(1 + f τ/m): the speed of one that is under way. */
+    /** dv/dt = (u − v)/τ − f/m v tends to u/(1 + f τ/m): the speed of a tank far from its goal. */
     private void arrive() {
         Unit unit = world.get(0);
         play(6);

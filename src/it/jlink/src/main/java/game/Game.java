@@ -14,7 +14,7 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** A game that comes with its own Java: an image of three modules, in which everything the library does works. */
+/** A game with its own Java runtime: an image of three modules, in which the whole library works. */
 public final class Game {
     private static final Set<String> MODULES = Set.of("game", "yarts.physics", "java.base");
     private static final double PUSH = 80_000; // N
@@ -45,7 +45,7 @@ public final class Game {
                 + " tanks drove as the closed form says, were saved, restored, and drove again to the bit");
     }
 
-    /** What {@code java --list-modules} of the image says: a name, an @ and a version in each line. */
+    /** The output of {@code java --list-modules} in the image: a name, an @ and a version per line. */
     private static Set<String> list(Path image) throws IOException, InterruptedException {
         Path java = image.resolve("bin").resolve("java");
         Process process = new ProcessBuilder(java.toString(), "--list-modules").start();

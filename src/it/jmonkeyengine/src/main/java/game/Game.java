@@ -14,13 +14,13 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** A jMonkeyEngine game without a window: tanks drive across a scene graph, in frames that take the time they take. */
+/** A jMonkeyEngine game without a window: tanks drive across a scene graph, in frames of real time. */
 public final class Game extends SimpleApplication {
     private static final int TANKS = 50;
     private static final int TICKS = 90;
     private static final double PUSH = 80_000; // N
     private static final Vector3f CAMP = new Vector3f(100, 5, -20); // m
-    /** Of jME, which warns of each loader of models that is not there. */
+    /** The logger of jME, which warns of each missing loader of models. */
     private static final Logger LOGGER = Logger.getLogger("com.jme3");
 
     private final UnitsState units;
@@ -37,7 +37,7 @@ public final class Game extends SimpleApplication {
         this.units = units;
     }
 
-    /** What the player does: full throttle in every frame. */
+    /** The player: full throttle in every frame. */
     private static final class Orders extends AbstractAppState {
         private final World world;
 

@@ -13,9 +13,9 @@ import yarts.physics.Timestep;
 import yarts.physics.Unit;
 import yarts.physics.World;
 
-/** A game saved as JSON by Jackson and by Gson: what is loaded plays on to the same bits as what went on. */
+/** A game that Jackson and Gson save as JSON: the loaded game continues with the same bits as the original. */
 public final class Game {
-    /** All there is to save: a snapshot in Base64, and the game's own data by the unit's id. */
+    /** The whole save: a snapshot in Base64, and the game's data by the unit's id. */
     record Save(String physics, Map<Long, Tank.Data> tanks) {}
 
     private static final JsonMapper JACKSON = new JsonMapper();
@@ -64,7 +64,7 @@ public final class Game {
                 + JACKSON.writeValueAsString(save).length() + " characters, played on to the same bits");
     }
 
-    /** So many frames that a part of a step is left over, with the impulses that wait for it. */
+    /** A number of frames that leaves a part of a step, with the impulses that wait for it. */
     private static void play(World world, int frames) {
         for (int frame = 0; frame < frames; frame++) {
             for (Unit unit : world) unit.applyForce(10_000 * ((Tank) unit).data.shells(), 20_000);

@@ -2,7 +2,7 @@ package game;
 
 import yarts.physics.Unit;
 
-/** What the game adds to a unit is data of its own, which any JSON library can write. */
+/** A unit with data of the game, which any JSON library can write. */
 final class Tank extends Unit {
     record Data(String name, int shells) {}
 

@@ -13,7 +13,7 @@ import yarts.physics.World
 private const val DT = 1 / 60.0 // s, the world's step
 private val engines = List(20) { 10_000.0 * (it + 1) } // N
 
-/** A game in Kotlin: units are read and set as properties, and worlds are looped over. */
+/** A game in Kotlin: it uses units by properties, and worlds in loops. */
 fun main() {
     properties()
     race()
@@ -81,7 +81,7 @@ private fun compare(tank: Tank, n: Int) {
     require(tank.y == 0.0) { "it drove straight on" }
 }
 
-/** A lambda is a step listener. Kotlin makes another object of it at each call: one that will be removed is kept. */
+/** A lambda is a step listener. Each use of it is another object, so a listener that will be removed is kept. */
 private fun listen() {
     val world = World(Integrator.EXACT, Timestep.fixed(60))
     val body = world.add(Body(2.0).apply { friction = 3.0 })
