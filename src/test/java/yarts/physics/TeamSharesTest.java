@@ -116,6 +116,33 @@ class TeamSharesTest {
         assertTrue(Thread.interrupted());
     }
 
+    /** A helper holds the last piece until the caller waits for it, and interrupts the caller then. */
+    @Test
+    void anInterruptWhileTheCallerWaitsIsPreserved() {
+        Thread caller = Thread.currentThread();
+        CountDownLatch helped = new CountDownLatch(1);
+        AtomicIntegerArray times = new AtomicIntegerArray(THINGS);
+        team.share(
+                i -> {
+                    if (Thread.currentThread() == caller) {
+                        while (helped.getCount() > 0) Thread.onSpinWait();
+                    } else {
+                        helped.countDown();
+                        awaitWaiting(caller);
+                        caller.interrupt();
+                        awaitWaiting(caller); // it has taken note of the interrupt, and waits again
+                    }
+                    times.incrementAndGet(i);
+                },
+                THINGS);
+        for (int i = 0; i < THINGS; i++) assertEquals(1, times.get(i));
+        assertTrue(Thread.interrupted());
+    }
+
+    private static void awaitWaiting(Thread thread) {
+        while (thread.isInterrupted() || thread.getState() != Thread.State.WAITING) Thread.onSpinWait();
+    }
+
     @Test
     void ifThePoolIsShutDownTheCallerDoesEverything() {
         pool.shutdownNow();
