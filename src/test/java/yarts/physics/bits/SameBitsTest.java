@@ -91,19 +91,23 @@ class SameBitsTest {
         assertGolden(children);
     }
 
-    /** The whole game on every JDK with its defaults; a tenth with each switch; a small part in the interpreter. */
+    /**
+     * On every JDK: the whole game with one thread and with seven, and a tenth with two and with four; a tenth with each
+     * switch, with the numbers of threads in turn; a small part in the interpreter.
+     */
     @Test
     @Tag("long")
     void everyJdkGivesTheGoldenBitsWithEverySwitch() throws Exception {
         Set<Path> homes = otherJdks();
         homes.add(HOME);
+        int[] threads = {1, 2, 4, 7};
         List<Child> children = new ArrayList<>();
         for (Path home : homes) {
-            for (int threads : new int[] {1, 2, 4, 7}) {
-                children.add(new Child(home, DEFAULT, LONG, threads));
-                for (String flags : SWITCHES) children.add(new Child(home, flags, MEDIUM, threads));
-                children.add(new Child(home, INTERPRETER, SHORT, threads));
+            for (int n : threads) children.add(new Child(home, DEFAULT, n == 1 || n == 7 ? LONG : MEDIUM, n));
+            for (int i = 0; i < SWITCHES.size(); i++) {
+                children.add(new Child(home, SWITCHES.get(i), MEDIUM, threads[i % threads.length]));
             }
+            children.add(new Child(home, INTERPRETER, SHORT, 2));
         }
         assertGolden(children);
     }

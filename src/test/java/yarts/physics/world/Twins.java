@@ -9,8 +9,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.math.MathContext;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.Iterator;
@@ -25,9 +27,9 @@ import java.util.stream.Collectors;
 import yarts.physics.Copies;
 import yarts.physics.Integrator;
 import yarts.physics.Snapshot;
+import yarts.physics.StepListener;
 import yarts.physics.Unit;
 import yarts.physics.World;
-import yarts.physics.support.Listeners;
 
 /**
  * A world and a plain model of it: lists, and for each unit a twin that is never in a world. The model counts time in
@@ -167,12 +169,35 @@ final class Twins {
             Integrator integrator,
             Pace pace,
             Time time,
-            long lastId) {}
+            long lastId,
+            long lastSteppedId) {}
 
     private record Time(long tick, BigInteger waiting, double time, double dropped, boolean interpolating) {}
 
+    /** A listener that is called exactly when it is due. */
+    private final class Spy implements StepListener {
+        private final boolean once;
+
+        Spy(boolean once) {
+            this.once = once;
+        }
+
+        @Override
+        public void onStep(World w, double dt) {
+            assertSame(world, w);
+            assertSame(due.poll(), this);
+            if (once) removeListener(this);
+        }
+    }
+
     private World world;
-    private Listeners listeners;
+    /** The listeners in the order of their calls. The first of each list gives the orders of a frame. */
+    private final List<StepListener> before = new ArrayList<>(), after = new ArrayList<>();
+    /** Those that are to be called yet, before or after the present step. */
+    private final Deque<StepListener> due = new ArrayDeque<>();
+    /** What the first listeners do. */
+    private StepListener orderBefore = (w, dt) -> {}, orderAfter = orderBefore;
+
     private Integrator integrator;
     private Pace pace;
     private final List<Twin> inside = new ArrayList<>();
@@ -180,7 +205,7 @@ final class Twins {
     /** The snapshots of this world. */
     private final List<Save> saves = new ArrayList<>();
 
-    private long tick, lastId;
+    private long tick, lastId, lastSteppedId;
     private BigInteger waiting = BigInteger.ZERO;
     private double time, dropped;
     private boolean interpolating;
@@ -195,9 +220,18 @@ final class Twins {
         this.pace = pace;
         if (world != null) world.clear();
         world = new World(integrator, pace.timestep());
-        listeners = new Listeners(world);
+        before.clear();
+        after.clear();
+        addListener(true, (w, dt) -> {
+            call(before);
+            orderBefore.onStep(w, dt);
+        });
+        addListener(false, (w, dt) -> {
+            call(after);
+            orderAfter.onStep(w, dt);
+        });
         waiting = BigInteger.ZERO;
-        tick = lastId = 0;
+        tick = lastId = lastSteppedId = 0;
         time = dropped = 0;
         interpolating = false;
         saves.clear();
@@ -207,6 +241,33 @@ final class Twins {
             twin.forget();
             twin.settle();
         }
+    }
+
+    /** At the first of these listeners: the others are due, even if a listener changes the list. */
+    private void call(List<StepListener> listeners) {
+        assertTrue(due.isEmpty());
+        due.addAll(listeners.subList(1, listeners.size()));
+    }
+
+    private void addListener(boolean beforeStep, StepListener listener) {
+        if (beforeStep) world.addBeforeStep(listener);
+        else world.addAfterStep(listener);
+        (beforeStep ? before : after).add(listener);
+    }
+
+    private void removeListener(StepListener listener) {
+        boolean registered = before.removeIf(other -> other == listener) | after.removeIf(other -> other == listener);
+        assertEquals(registered, world.removeStepListener(listener));
+        assertFalse(world.removeStepListener(listener));
+    }
+
+    /** Adds a listener, adds one once more, or removes one; also during a step. */
+    void changeListeners(int pick) {
+        List<StepListener> spies = new ArrayList<>(before.subList(1, before.size()));
+        spies.addAll(after.subList(1, after.size()));
+        if (spies.size() < 2 || pick % 4 == 0) addListener(pick % 3 == 0, new Spy(pick % 5 == 0));
+        else if (pick % 4 == 1) addListener(pick % 3 == 0, spies.get(pick % spies.size()));
+        else removeListener(spies.get(pick % spies.size()));
     }
 
     void setIntegrator(Integrator integrator) {
@@ -284,7 +345,7 @@ final class Twins {
         world.save(snapshot);
         List<Twin> copies = inside.stream().map(twin -> twin.copy(twin.unit)).collect(Collectors.toList());
         Time now = new Time(tick, waiting, time, dropped, interpolating);
-        saves.add(new Save(snapshot, world.stateHash(), copies, integrator, pace, now, lastId));
+        saves.add(new Save(snapshot, world.stateHash(), copies, integrator, pace, now, lastId, lastSteppedId));
     }
 
     /** Restores a snapshot with the same unit objects. */
@@ -330,6 +391,7 @@ final class Twins {
         integrator = save.integrator;
         pace = save.pace;
         lastId = save.lastId;
+        lastSteppedId = save.lastSteppedId;
         tick = save.time.tick;
         waiting = save.time.waiting;
         time = save.time.time;
@@ -397,12 +459,12 @@ final class Twins {
         if (pick(pick) != null) pick(pick).settle();
     }
 
-    /**
-     * Moves a unit after a step. The move is interpolated if the unit took part in the step and the distance is finite.
-     */
-    private void correct(Twin twin, double x, double y, boolean tookPart) {
-        twin.unit.moveTo(x, y);
-        twin.alone.moveTo(x, y);
+    /** The move is interpolated if the unit took part in the last step and the distance is finite. */
+    void moveTo(int pick, double x, double y) {
+        Twin twin = pick(pick);
+        if (twin == null) return;
+        change(pick, u -> u.moveTo(x, y));
+        boolean tookPart = inside.contains(twin) && twin.id <= lastSteppedId;
         boolean far = Double.isInfinite(x - twin.previousX) || Double.isInfinite(y - twin.previousY);
         if (far || !tookPart) twin.settle();
     }
@@ -465,6 +527,7 @@ final class Twins {
 
     private void stepped(double dt) {
         for (Twin twin : inside) twin.step(dt, integrator);
+        lastSteppedId = lastId;
         tick++;
         time += dt;
         interpolating = false;
@@ -483,19 +546,19 @@ final class Twins {
         double elapsed = ns / 1e9, waited = seconds(waiting);
         int steps = pace.isFixed() ? fixedFrame(ns) : variableFrame(elapsed);
         double[] stepped = {0, 0};
-        listeners.set(
-                (w, dt) -> {
-                    assertTrue(dt <= pace.maxStep());
-                    if (orders != null) orderBefore(orders);
-                    for (Twin twin : inside) twin.stepInFrame(dt, integrator);
-                    stepped[0]++;
-                    stepped[1] += dt;
-                },
-                (w, dt) -> {
-                    if (orders != null) orderAfter(orders);
-                });
+        orderBefore = (w, dt) -> {
+            assertTrue(dt <= pace.maxStep());
+            if (orders != null) orderBefore(orders);
+            for (Twin twin : inside) twin.stepInFrame(dt, integrator);
+            lastSteppedId = lastId;
+            stepped[0]++;
+            stepped[1] += dt;
+        };
+        orderAfter = (w, dt) -> {
+            if (orders != null) orderAfter(orders);
+        };
         assertEquals(steps, world.advance(elapsed));
-        listeners.clear();
+        orderBefore = orderAfter = (w, dt) -> {};
         assertEquals(steps, stepped[0]);
         if (!pace.isFixed()) {
             double all = Math.min(waited + elapsed, pace.maxSteps() * pace.maxStep());
@@ -517,12 +580,11 @@ final class Twins {
     }
 
     private void orderAfter(SplittableRandom random) {
-        int pick = random.nextInt(1 << 20), before = inside.size();
+        int pick = random.nextInt(1 << 20);
         order(random.nextInt(10), pick, random);
         if (inside.isEmpty()) return;
         int i = pick % inside.size();
-        boolean tookPart = inside.size() <= before || i < before;
-        if (random.nextInt(2) == 0) correct(inside.get(i), coordinate(random), coordinate(random), tookPart);
+        if (random.nextInt(2) == 0) moveTo(i, coordinate(random), coordinate(random));
         if (random.nextInt(3) != 0) return;
         double fx = coordinate(random), fy = coordinate(random);
         inside.get(i).applyOnce(fx, fy); // also after the last step of the frame
@@ -538,6 +600,7 @@ final class Twins {
             double vx = coordinate(random), most = Math.max(0, coordinate(random));
             change(pick, unit -> unit.setMotor(vx, unit.getMotorVx(), most));
         }
+        if (order == 7) changeListeners(pick);
     }
 
     private static double coordinate(SplittableRandom random) {
@@ -597,6 +660,7 @@ final class Twins {
 
     /** Compares every getter of every unit with the model, to the bit. */
     void compare() {
+        assertTrue(due.isEmpty());
         assertEquals(tick, world.getTick());
         assertEquals(time, world.getTime(), 1e-12 * time);
         assertEquals(dropped, world.getDroppedTime(), 1e-12 * dropped);

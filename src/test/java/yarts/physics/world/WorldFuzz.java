@@ -101,7 +101,11 @@ public final class WorldFuzz {
             case 9 -> twins.save();
             case 10 -> twins.restore(octet());
             case 11 -> twins.load(octet());
-            case 12 -> twins.find(octet());
+            case 12 -> {
+                int pick = octet();
+                if (pick < 128) twins.find(pick);
+                else twins.changeListeners(pick);
+            }
             case 13 -> twins.makeInvalidCalls(octet());
             case 14 -> twins.setFrozen(octet(), octet() % 2 == 0);
             case 15 -> twins.clearForces(octet());
@@ -134,7 +138,11 @@ public final class WorldFuzz {
                 double fx = force(), fy = force();
                 change(unit -> unit.applyForce(fx, fy));
             }
-            case 24 -> twins.teleport(octet(), finite(), finite());
+            case 24 -> {
+                int pick = octet();
+                if (pick < 128) twins.teleport(pick, finite(), finite());
+                else twins.moveTo(pick - 128, finite(), finite());
+            }
             case 25 -> twins.integrateOne(octet(), real(0, 1e9), integrator());
             case 26 -> twins.applyForces(force() / 1e6, force() / 1e6);
             case 27 -> twins.step(real(0, 1e9));
