@@ -29,17 +29,20 @@ final class Play {
 
     private final Random random;
     private final View view;
+    private final boolean fixed;
     private final List<World> worlds = new ArrayList<>();
     private final Unit[] units;
 
     Play(long seed, Integrator integrator, boolean fixed, View view, Layout layout) {
         random = new Random(seed);
         this.view = view;
-        Timestep timestep = fixed ? Timestep.fixed(64) : Timestep.variable(0.05 * view.time());
+        this.fixed = fixed;
+        Timestep timestep = timestep();
         for (int i = 0; i < layout.worlds; i++) {
-            World world = new World(integrator, timestep.withMaxSteps(4));
+            World world = new World(integrator, timestep);
             world.setPool(layout.pool);
             world.addBeforeStep((w, dt) -> steer(w));
+            world.addAfterStep((w, dt) -> react(w));
             worlds.add(world);
         }
         units = new Unit[layout.order.length];
@@ -49,6 +52,13 @@ final class Play {
             world.add(units[i]);
             for (int k = 0; k < layout.sleepers; k++) world.add(new Sleeper(k % 3 == 1));
         }
+    }
+
+    private Timestep timestep() {
+        boolean one = random.nextBoolean();
+        Timestep timestep =
+                fixed ? Timestep.fixed(one ? 64 : 25) : Timestep.variable((one ? 0.05 : 0.02) * view.time());
+        return timestep.withMaxSteps(4);
     }
 
     /** A unit at rest that gets no orders. It may have a brake, which has no effect. */
@@ -84,10 +94,28 @@ final class Play {
         }
     }
 
-    /** A frame: orders to some units, and an advance. */
+    /** Walls stop light units. A force for the next step slows some others down. */
+    private void react(World world) {
+        double wall = 64 * view.length(), drag = -view.friction();
+        for (Unit unit : world) {
+            double x = unit.getX(), y = unit.getY();
+            if (unit.getMass() < 2 * view.mass()) {
+                if (Math.abs(x) > wall) unit.moveTo(Math.copySign(wall, x), y);
+                if (Math.abs(y) > wall) unit.moveTo(unit.getX(), Math.copySign(wall, y));
+            } else if (unit.getMass() < 8 * view.mass()) {
+                unit.applyForce(unit.getVx() * drag, unit.getVy() * drag);
+            }
+        }
+    }
+
+    /** A frame: orders to some units, sometimes another timestep, and an advance. */
     void frame() {
         int orders = random.nextInt(3) == 0 ? 0 : 1 + random.nextInt(1 + units.length / 8);
         for (; orders > 0; orders--) order(units[random.nextInt(units.length)]);
+        if (random.nextInt(5) == 0) {
+            Timestep timestep = timestep();
+            worlds.forEach(world -> world.setTimestep(timestep));
+        }
         double seconds = STEPS[random.nextInt(STEPS.length)] * view.time();
         boolean frame = random.nextBoolean();
         for (World world : worlds) {
@@ -100,7 +128,7 @@ final class Play {
         double a = number(0.01, 1000), b = number(0.01, 1000);
         if (random.nextBoolean()) a = -a;
         if (random.nextBoolean()) b = -b;
-        switch (random.nextInt(15)) {
+        switch (random.nextInt(16)) {
             case 0 -> place(unit, a, b);
             case 1 -> drive(unit, a, b);
             case 2 -> unit.applyImpulse(view.x(a, b, view.impulse()), view.y(a, b, view.impulse()));
@@ -119,6 +147,7 @@ final class Play {
                 unit.setMotor(view.x(a, b, k), view.y(a, b, k), most);
             }
             case 11 -> unit.setMotor(0, 0, 0);
+            case 12 -> unit.moveTo(view.x(a, b, view.length()), view.y(a, b, view.length()));
             default -> unit.applyForce(view.x(a, b, view.force()), view.y(a, b, view.force()));
         }
     }
