@@ -48,8 +48,8 @@ final class Twins {
         final Unit alone;
         /** The force in each step of the current frame; the force for only the next step; and the pending impulse. */
         final double[] frame = new double[2], once = new double[2], pending = new double[2];
-        /** The magnitudes to which rounding errors are compared. */
-        final double[] scale = new double[2];
+        /** The magnitudes to which the rounding errors of the force and of the pending impulse are compared. */
+        final double[] scale = new double[2], pendingScale = new double[2];
 
         double previousX, previousY;
         long id;
@@ -67,6 +67,7 @@ final class Twins {
                 copy.once[k] = once[k];
                 copy.pending[k] = pending[k];
                 copy.scale[k] = scale[k];
+                copy.pendingScale[k] = pendingScale[k];
             }
             copy.previousX = previousX;
             copy.previousY = previousY;
@@ -87,7 +88,7 @@ final class Twins {
             double[] f = {alone.getFx(), alone.getFy()};
             for (int k = 0; k < 2; k++) {
                 pending[k] += f[k] * elapsed;
-                scale[k] += Math.abs(f[k]) * after;
+                pendingScale[k] += Math.abs(f[k]) * after;
             }
             alone.clearForces();
         }
@@ -105,8 +106,9 @@ final class Twins {
                     continue;
                 }
                 frame[k] = (pending[k] * (1 - kept) + f[k] * now) / covered;
-                scale[k] = scale[k] / covered + Math.abs(f[k]);
+                scale[k] += pendingScale[k] / covered + Math.abs(f[k]);
                 pending[k] = pending[k] * kept + f[k] * later;
+                pendingScale[k] = pendingScale[k] * kept + Math.abs(f[k]) * later;
             }
             alone.clearForces();
         }
@@ -123,16 +125,14 @@ final class Twins {
             settle();
             alone.applyForce(once[0], once[1]);
             alone.integrate(dt, integrator);
-            for (int k = 0; k < 2; k++) {
-                once[k] = 0;
-                scale[k] = Math.abs(pending[k]);
-            }
+            once[0] = once[1] = 0;
+            scale[0] = scale[1] = 0;
         }
 
         void stepInFrame(double dt, Integrator integrator) {
             if (!unit.isFrozen()) {
-                assertEquals(frame[0] + once[0], unit.getFx(), rounding(0));
-                assertEquals(frame[1] + once[1], unit.getFy(), rounding(1));
+                assertEquals(frame[0] + once[0], unit.getFx(), rounding(scale[0]));
+                assertEquals(frame[1] + once[1], unit.getFy(), rounding(scale[1]));
             }
             once[0] = once[1] = 0;
             settle();
@@ -141,23 +141,23 @@ final class Twins {
         }
 
         /** The allowed rounding error; that of subnormal numbers is not relative. */
-        private double rounding(int k) {
-            return 1e-14 * scale[k] + 1e-300;
+        private static double rounding(double scale) {
+            return 1e-14 * scale + 1e-300;
         }
 
         void frameDone() {
-            for (int k = 0; k < 2; k++) scale[k] = Math.abs(pending[k]) + Math.abs(once[k]);
+            for (int k = 0; k < 2; k++) scale[k] = Math.abs(once[k]);
         }
 
         void comparePending() {
             if (unit.isFrozen()) return;
-            assertEquals(pending[0], unit.getPendingImpulseX(), rounding(0));
-            assertEquals(pending[1], unit.getPendingImpulseY(), rounding(1));
+            assertEquals(pending[0], unit.getPendingImpulseX(), rounding(pendingScale[0]));
+            assertEquals(pending[1], unit.getPendingImpulseY(), rounding(pendingScale[1]));
         }
 
         void forget() {
             alone.clearForces();
-            for (int k = 0; k < 2; k++) frame[k] = once[k] = pending[k] = scale[k] = 0;
+            for (int k = 0; k < 2; k++) frame[k] = once[k] = pending[k] = scale[k] = pendingScale[k] = 0;
         }
     }
 
