@@ -71,7 +71,10 @@ final strictfp class Coefficients {
         t.stale[tile] = false;
     }
 
-    /** Lets a frozen unit keep its velocity, and lets no force accelerate it or a unit with a top speed of 0. */
+    /**
+     * Lets a frozen unit keep its velocity, and lets no force accelerate it or a unit with a top speed of 0. The cap
+     * alone would let a velocity pass whose square underflows.
+     */
     private static void hold(Table t, int i) {
         if (t.frozen[i] != 0) t.decay[i] = 1;
         if (t.frozen[i] != 0 || t.maxSpeed[i] == 0) t.gain[i] = 0;

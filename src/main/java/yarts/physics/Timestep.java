@@ -1,5 +1,7 @@
 package yarts.physics;
 
+import java.util.Objects;
+
 /**
  * The rule by which {@code World.advance} divides the time of a frame into steps, such as 60 equal steps per second.
  *
@@ -113,7 +115,7 @@ public final strictfp class Timestep {
     /** {@return a hash code of all properties} */
     @Override
     public int hashCode() {
-        return 31 * (31 * rate + Double.hashCode(maxStep)) + maxSteps;
+        return Objects.hash(rate, maxStep, maxSteps);
     }
 
     /** {@return the code that creates an equal timestep, such as {@code Timestep.fixed(60).withMaxSteps(15)}} */

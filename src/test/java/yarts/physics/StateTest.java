@@ -43,6 +43,24 @@ class StateTest {
         assertEquals(new HashSet<>(expected.toList()), names, of.getSimpleName());
     }
 
+    /** Players with the same version compare hashes. This number changes only if a version changes the hash. */
+    @Test
+    void theHashOfMotorsIsTheSameInEveryRun() {
+        World world = new World(Integrator.EULER, Timestep.fixed(60));
+        world.add(new Unit(2)).setMotor(3, -5, 7);
+        assertEquals(0x834247b3d49e6c0fL, world.stateHash());
+    }
+
+    /** A clock of a snapshot may have a rounding error that no run reaches. */
+    @Test
+    void theWaitingTimeStaysBelowASecondAfterAChangeOfTheTimestep() {
+        Clock clock = new Clock(Timestep.fixed(1));
+        clock.setState(Timestep.fixed(1), new long[] {0, 0, 999_999_999, 0, Double.doubleToRawLongBits(1), 0, 0, 0, 0});
+        clock.setTimestep(Timestep.fixed(2));
+        assertEquals(1_999_999_999, clock.remainder());
+        new Clock(Timestep.fixed(1)).setState(Timestep.fixed(2), clock.state());
+    }
+
     @Test
     void theSignOfZeroChangesNeitherHashNorBytes() {
         World world = new World();

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
@@ -114,6 +115,21 @@ class TeamSharesTest {
         Thread.currentThread().interrupt();
         for (int i = 0; i < 1000; i++) shareOnce(team);
         assertTrue(Thread.interrupted());
+    }
+
+    /** The caller is not a thread of the common pool, so it counts in addition. */
+    @Test
+    void aThreadOfTheCommonPoolHelps() {
+        assumeTrue(ForkJoinPool.getCommonPoolParallelism() > 0, "this machine has no common pool");
+        CountDownLatch begun = new CountDownLatch(2);
+        new Team(ForkJoinPool.commonPool(), 8)
+                .share(
+                        piece -> {
+                            begun.countDown();
+                            awaitQuietly(begun);
+                        },
+                        THINGS);
+        assertEquals(0, begun.getCount());
     }
 
     /** A helper holds the last piece until the caller waits for it, and interrupts the caller then. */

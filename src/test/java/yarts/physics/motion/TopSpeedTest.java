@@ -9,7 +9,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import yarts.physics.Integrator;
+import yarts.physics.Timestep;
 import yarts.physics.Unit;
+import yarts.physics.World;
 
 /**
  * The speed of a unit at its cap is the top speed, permanently. {@link SpeedCapPropertyTest} has any direction and cap.
@@ -30,6 +32,26 @@ class TopSpeedTest {
                 assertTrue(speed(unit.getVx(), unit.getVy()) <= top);
             }
         }
+    }
+
+    /** Also for forces whose velocity would have a square of 0, and after a change of dt. */
+    @ParameterizedTest
+    @EnumSource
+    void noForceMovesAUnitWithATopSpeedOfZero(Integrator integrator) {
+        World world = new World(integrator, Timestep.fixed(2));
+        Unit free = world.add(new Unit(1)), pinned = world.add(new Unit(1));
+        world.step(0.5);
+        pinned.setMaxSpeed(0);
+        for (int exponent = -1074; exponent <= 165; exponent++) {
+            double force = Math.scalb(1.5, exponent);
+            free.applyForce(force, force);
+            pinned.applyForce(force, -force);
+            world.step(exponent % 3 == 0 ? 1 : 0.5);
+            for (double v : new double[] {pinned.getVx(), pinned.getVy(), pinned.getX(), pinned.getY()}) {
+                assertEquals(0, v, "force " + force);
+            }
+        }
+        assertTrue(free.getX() > 1);
     }
 
     /** No setter, impulse of 0 or step changes a velocity at the top speed, to the bit. */

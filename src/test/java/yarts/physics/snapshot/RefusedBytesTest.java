@@ -110,6 +110,16 @@ class RefusedBytesTest {
     }
 
     @Test
+    void aTopSpeedBelowRestIsRefusedForAUnitAtRest() {
+        byte[] save = Saves.save(3);
+        for (String v : List.of("vx", "vy")) Saves.places(1).get(v).put(save, 0);
+        for (double tooSlow : new double[] {Double.MIN_VALUE, 1e-200, Math.nextDown(0x1p-500)}) {
+            Saves.places(1).get("maxSpeed").put(save, tooSlow);
+            assertTrue(Saves.refused(Saves.repair(save)).startsWith("maxSpeed must be "));
+        }
+    }
+
+    @Test
     void aPinnedUnitThatMovesIsRefused() {
         byte[] save = Saves.save(3);
         Saves.places(1).get("maxSpeed").put(save, 0);

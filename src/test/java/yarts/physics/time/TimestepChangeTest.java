@@ -49,6 +49,19 @@ class TimestepChangeTest {
         assertEquals(60, world.getTime() + waiting(world), 1e-8);
     }
 
+    /** Also the fraction of 1e-9 of a step that the clock carries over. */
+    @Test
+    void aVariableStepAfterAChangeIsAsLongAsTheWaitingTime() {
+        for (double fraction : new double[] {0, 0.4, -0.4}) {
+            World paused = new World(Integrator.EXACT, Timestep.fixed(50));
+            double waiting = 0.01 + fraction * 1e-9 / 50;
+            paused.advance(waiting);
+            paused.setTimestep(Timestep.variable(0.1));
+            paused.advance(0);
+            assertEquals(waiting, paused.getTime(), 1e-17);
+        }
+    }
+
     /** 600 N for 0.01 s. If a change preserved the fraction of a step, 18 N·s would arrive at 20 steps/s. */
     @Test
     void sixNewtonSecondsArriveInStepsOfAnyLength() {

@@ -69,7 +69,11 @@ class TimestepTest {
             assertEquals(all.get(i), again.get(i));
             assertEquals(all.get(i).hashCode(), again.get(i).hashCode());
             assertEquals(all.get(i).toString(), again.get(i).toString());
-            for (int j = 0; j < all.size(); j++) if (j != i) assertNotEquals(all.get(i), again.get(j));
+            for (int j = 0; j < all.size(); j++) {
+                if (j == i) continue;
+                assertNotEquals(all.get(i), again.get(j));
+                assertNotEquals(all.get(i).hashCode(), again.get(j).hashCode());
+            }
         }
         Set<Timestep> set = new HashSet<>(all);
         set.addAll(again);

@@ -1,6 +1,7 @@
 package yarts.physics.world;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -37,6 +38,29 @@ class CorrectionTest {
         for (int i = 1; i < xs.size(); i++) {
             double way = xs.get(i) - xs.get(i - 1);
             assertTrue(way >= -1e-12 && way <= speed * FRAME + 1e-9, i + ": " + xs.get(i - 1) + " to " + xs.get(i));
+        }
+    }
+
+    /** The longest move that is interpolated, on each axis, and the shortest that is not. */
+    @Test
+    void aMoveIsDrawnIfItsDistanceIsFinite() {
+        Unit tank = world.add(new Unit(1));
+        assertSame(tank, tank.moveTo(1, 2), "before a step, it is a teleport");
+        assertEquals(1, tank.getInterpolatedX(0));
+        tank.setPosition(0, 0);
+        world.step();
+        double most = Double.MAX_VALUE;
+        for (double[] to : new double[][] {{most, 0}, {0, most}, {-most, -most}}) {
+            assertSame(tank, tank.moveTo(to[0], to[1]));
+            assertEquals(0, tank.getInterpolatedX(0));
+            assertEquals(0, tank.getInterpolatedY(0));
+            assertEquals(to[0] / 2, tank.getInterpolatedX(0.5));
+            assertEquals(to[1] / 2, tank.getInterpolatedY(0.5));
+        }
+        for (double[] to : new double[][] {{-most, 0}, {0, -most}}) {
+            tank.setPosition(-to[0] * 1e-15, -to[1] * 1e-15).moveTo(to[0], to[1]);
+            assertEquals(to[0], tank.getInterpolatedX(0));
+            assertEquals(to[1], tank.getInterpolatedY(0));
         }
     }
 

@@ -342,6 +342,11 @@ class IteratorTest {
         ListIterator<Unit> units = middle.listIterator(1);
         assertEquals(1, units.nextIndex());
         assertEquals(0, units.previousIndex());
+        units.next();
+        assertEquals(2, units.nextIndex());
+        assertEquals(1, units.previousIndex());
+        ListIterator<Unit> old = new World().units().listIterator();
+        assertEquals(-1, old.previousIndex());
         for (Executable wrong : List.<Executable>of(
                 () -> middle.get(3),
                 () -> middle.get(-1),
@@ -357,5 +362,8 @@ class IteratorTest {
         assertThrows(UnsupportedOperationException.class, () -> own.add(new Unit(1)));
         assertThrows(UnsupportedOperationException.class, () -> middle.remove(0));
         assertEquals(5, world.size());
+        world.remove(world.get(0));
+        fails(units::nextIndex);
+        fails(units::previousIndex);
     }
 }
