@@ -106,12 +106,16 @@ final strictfp class Clock {
         return parts / ((double) STEP * rate(timestep));
     }
 
-    /** Returns the waiting time in seconds, and sets it to 0. */
+    /**
+     * Returns the waiting time in seconds, and sets it to 0. Less than a part continues to wait: it can be negative,
+     * because a step may have begun less than a part too early.
+     */
     double takeRemainder() {
-        double seconds = (remainder + remainderError) / (double) STEP / rate(timestep);
+        double parts = remainder + remainderError;
+        if (parts < 1) return 0;
         remainder = 0;
         remainderError = 0;
-        return seconds;
+        return parts / STEP / rate(timestep);
     }
 
     double alpha() {

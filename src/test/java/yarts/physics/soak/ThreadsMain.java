@@ -88,7 +88,8 @@ public final class ThreadsMain {
                 world.step();
             }
             begun = Long.MAX_VALUE;
-            return hash = world.stateHash();
+            hash = world.stateHash();
+            return hash;
         }
 
         void check() {

@@ -49,17 +49,32 @@ class TimestepChangeTest {
         assertEquals(60, world.getTime() + waiting(world), 1e-8);
     }
 
-    /** Also the fraction of 1e-9 of a step that the clock carries over. */
+    /** The clock rounds times to 1e-9 of a step and carries the rounding error over. */
     @Test
     void aVariableStepAfterAChangeIsAsLongAsTheWaitingTime() {
         for (double fraction : new double[] {0, 0.4, -0.4}) {
-            World paused = new World(Integrator.EXACT, Timestep.fixed(50));
-            double waiting = 0.01 + fraction * 1e-9 / 50;
+            World paused = new World(Integrator.EXACT, Timestep.fixed(1));
+            double waiting = 0.01 + fraction * 1e-9;
             paused.advance(waiting);
             paused.setTimestep(Timestep.variable(0.1));
-            paused.advance(0);
+            assertEquals(1, paused.advance(0));
             assertEquals(waiting, paused.getTime(), 1e-17);
         }
+    }
+
+    /** The step began 0.4 ns too early, so a negative time waits. It must not become a step. */
+    @Test
+    void aStepThatBeganTooEarlyIsNotTakenBack() {
+        World early = new World(Integrator.EXACT, Timestep.fixed(1));
+        Unit light = early.add(new Unit(1e-50).setFriction(1));
+        assertEquals(1, early.advance(0.9999999996));
+        early.setTimestep(Timestep.variable(1));
+        light.setVelocity(10, 0);
+        assertEquals(0, early.advance(0));
+        assertEquals(10, light.getVx());
+        assertEquals(1, early.getTime());
+        assertEquals(1, early.advance(0.5));
+        assertEquals(1.5, early.getTime());
     }
 
     /** 600 N for 0.01 s. If a change preserved the fraction of a step, 18 N·s would arrive at 20 steps/s. */

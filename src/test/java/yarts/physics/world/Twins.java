@@ -543,7 +543,7 @@ final class Twins {
     }
 
     private void advance(long ns, SplittableRandom orders) {
-        double elapsed = ns / 1e9, waited = seconds(waiting);
+        double elapsed = ns / 1e9, waited = takes() ? seconds(waiting) : 0;
         int steps = pace.isFixed() ? fixedFrame(ns) : variableFrame(elapsed);
         double[] stepped = {0, 0};
         orderBefore = (w, dt) -> {
@@ -625,10 +625,16 @@ final class Twins {
         return steps;
     }
 
+    /** Whether the time that waits becomes part of the next variable frame. Less than a nanosecond waits longer. */
+    private boolean takes() {
+        return waiting.compareTo(NANOSECOND) >= 0;
+    }
+
     private int variableFrame(double elapsed) {
-        double before = seconds(waiting), covered = before + elapsed;
+        boolean taken = takes();
+        double before = taken ? seconds(waiting) : 0, covered = before + elapsed;
         double time = Math.min(covered, pace.maxSteps() * pace.maxStep());
-        waiting = BigInteger.ZERO;
+        if (taken) waiting = BigInteger.ZERO;
         dropped += covered - time;
         for (Twin twin : inside) {
             if (covered == 0) twin.hold(0, 0);
