@@ -126,7 +126,10 @@ class ClockPropertyTest {
         }
     }
 
-    /** Usually 1/n s is not a whole number of nanoseconds, nor is the double exactly 1/n. */
+    /**
+     * Usually 1/n s is not a whole number of nanoseconds, nor is the double exactly 1/n. At up to 100,000 steps/s: there the rounding errors of 1/n, as a double, are below a tenth of 1e-9 of a step in
+     * three seconds. At a million, they can reach the half at which the clock rounds up or down.
+     */
     @Property(tries = 200)
     void nFramesOfOneNthOfASecondAreOneSecond(@ForAll("framesASecond") int n, @ForAll("anyRate") int rate) {
         World world = new World(Integrator.EULER, Timestep.fixed(rate).withMaxSteps(rate));
@@ -204,7 +207,7 @@ class ClockPropertyTest {
     Arbitrary<Integer> anyRate() {
         return Arbitraries.frequencyOf(
                 Tuple.of(4, Arbitraries.integers().between(1, 1000)),
-                Tuple.of(1, Arbitraries.integers().between(1000, 1_000_000)));
+                Tuple.of(1, Arbitraries.integers().between(1000, 100_000)));
     }
 
     @Provide
