@@ -127,8 +127,9 @@ class ClockPropertyTest {
     }
 
     /**
-     * Usually 1/n s is not a whole number of nanoseconds, nor is the double exactly 1/n. At up to 100,000 steps/s: there the rounding errors of 1/n, as a double, are below a tenth of 1e-9 of a step in
-     * three seconds. At a million, they can reach the half at which the clock rounds up or down.
+     * Usually 1/n s is not a whole number of nanoseconds, nor is the double exactly 1/n. At up to 100,000 steps/s, the
+     * rounding errors of these doubles stay below a tenth of 1e-9 of a step in three seconds. At a million, they can
+     * reach the half at which the clock rounds up or down.
      */
     @Property(tries = 200)
     void nFramesOfOneNthOfASecondAreOneSecond(@ForAll("framesASecond") int n, @ForAll("anyRate") int rate) {
