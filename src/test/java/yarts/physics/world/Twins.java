@@ -256,8 +256,9 @@ final class Twins {
     }
 
     private void removeListener(StepListener listener) {
-        boolean registered = before.removeIf(other -> other == listener) | after.removeIf(other -> other == listener);
-        assertEquals(registered, world.removeStepListener(listener));
+        boolean wasBefore = before.removeIf(other -> other == listener);
+        boolean wasAfter = after.removeIf(other -> other == listener);
+        assertEquals(wasBefore || wasAfter, world.removeStepListener(listener));
         assertFalse(world.removeStepListener(listener));
     }
 
