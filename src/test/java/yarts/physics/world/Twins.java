@@ -193,10 +193,10 @@ final class Twins {
     private World world;
     /** The listeners in the order of their calls. The first of each list gives the orders of a frame. */
     private final List<StepListener> before = new ArrayList<>(), after = new ArrayList<>();
-    /** Those that are to be called yet, before or after the present step. */
+    /** The listeners that the present step has not called yet. */
     private final Deque<StepListener> due = new ArrayDeque<>();
-    /** What the first listeners do. */
-    private StepListener orderBefore = (w, dt) -> {}, orderAfter = orderBefore;
+    /** The work of the first listeners, which differs in each frame. */
+    private StepListener firstBefore = (w, dt) -> {}, firstAfter = firstBefore;
 
     private Integrator integrator;
     private Pace pace;
@@ -224,11 +224,11 @@ final class Twins {
         after.clear();
         addListener(true, (w, dt) -> {
             call(before);
-            orderBefore.onStep(w, dt);
+            firstBefore.onStep(w, dt);
         });
         addListener(false, (w, dt) -> {
             call(after);
-            orderAfter.onStep(w, dt);
+            firstAfter.onStep(w, dt);
         });
         waiting = BigInteger.ZERO;
         tick = lastId = lastSteppedId = 0;
@@ -547,7 +547,7 @@ final class Twins {
         double elapsed = ns / 1e9, waited = takes() ? seconds(waiting) : 0;
         int steps = pace.isFixed() ? fixedFrame(ns) : variableFrame(elapsed);
         double[] stepped = {0, 0};
-        orderBefore = (w, dt) -> {
+        firstBefore = (w, dt) -> {
             assertTrue(dt <= pace.maxStep());
             if (orders != null) orderBefore(orders);
             for (Twin twin : inside) twin.stepInFrame(dt, integrator);
@@ -555,11 +555,11 @@ final class Twins {
             stepped[0]++;
             stepped[1] += dt;
         };
-        orderAfter = (w, dt) -> {
+        firstAfter = (w, dt) -> {
             if (orders != null) orderAfter(orders);
         };
         assertEquals(steps, world.advance(elapsed));
-        orderBefore = orderAfter = (w, dt) -> {};
+        firstBefore = firstAfter = (w, dt) -> {};
         assertEquals(steps, stepped[0]);
         if (!pace.isFixed()) {
             double all = Math.min(waited + elapsed, pace.maxSteps() * pace.maxStep());
