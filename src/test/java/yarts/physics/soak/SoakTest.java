@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 
 /**
  * A long game in two JVMs with a small heap at the same time. The hashes must be equal, and the memory in use must not
- * grow. By default the game is short; {@code -Dsoak.frames=400000} makes it last 20 minutes, and prints the time of a step.
+ * grow. By default the game is short; {@code -Dsoak.frames=510000} makes it last 15 minutes, and prints the time of a step.
  */
 class SoakTest {
     private static final long FRAMES = Long.getLong("soak.frames", 1_000);
