@@ -35,20 +35,8 @@ class ClockPropertyTest {
 
     @Property(tries = 1)
     @Tag("long")
-    void noTickIsLostInAYearAt30TicksASecond(@ForAll long seed) {
-        play(365 * DAY, 30, new SplittableRandom(seed));
-    }
-
-    @Property(tries = 1)
-    @Tag("long")
     void noTickIsLostInAYearAt60TicksASecond(@ForAll long seed) {
         play(365 * DAY, 60, new SplittableRandom(seed));
-    }
-
-    @Property(tries = 1)
-    @Tag("long")
-    void noTickIsLostInAYearAt64TicksASecond(@ForAll long seed) {
-        play(365 * DAY, 64, new SplittableRandom(seed));
     }
 
     @Property(tries = 1)

@@ -15,7 +15,7 @@ import yarts.physics.World;
 /**
  * The time of a frame with up to ten million units, on one and two threads: a force on each in one call, and a step.
  */
-@Fork(value = 1, jvmArgs = "-Xmx6g")
+@Fork(value = 1, jvmArgs = "-Xmx8g")
 @Warmup(iterations = 3, time = 500, timeUnit = TimeUnit.MILLISECONDS)
 @Measurement(iterations = 7, time = 500, timeUnit = TimeUnit.MILLISECONDS)
 public class LoadBenchmark extends Workload {
