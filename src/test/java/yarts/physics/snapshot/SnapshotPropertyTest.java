@@ -118,7 +118,7 @@ class SnapshotPropertyTest {
         assertEquals(Churn.bits(world), Churn.bits(other));
     }
 
-    @Property(tries = 10_000)
+    @Property(tries = 5000)
     @Tag("long")
     void bothHoldForLongGames(
             @ForAll long seed,

@@ -124,12 +124,13 @@ class SkirmishPageTest {
         for (Integrator integrator : Integrator.values()) {
             load();
             new Select(chromium.findElement(By.id("integrator"))).selectByVisibleText(integrator.name());
+            slide("rate", 60);
             chromium.findElement(By.id("restart")).click();
             until(() -> number("library-tick") >= 420);
             String[] shown = text("library-tick", "naive-hash", "library-hash").split(" ");
             int tick = Integer.parseInt(shown[0]);
-            assertEquals(hash(tick, true, integrator, 40, 30, game -> {}), shown[1]);
-            assertEquals(hash(tick, false, integrator, 40, 30, game -> {}), shown[2]);
+            assertEquals(hash(tick, true, integrator, 40, 60, game -> {}), shown[1]);
+            assertEquals(hash(tick, false, integrator, 40, 60, game -> {}), shown[2]);
             System.out.println(integrator + " at tick " + tick + ": naive " + shown[1] + ", library " + shown[2]);
         }
     }
