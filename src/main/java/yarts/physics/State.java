@@ -14,7 +14,7 @@ final strictfp class State {
      * The last id that was given to a unit before the last step. Units with higher ids did not take part in this step.
      */
     long lastSteppedId;
-    /** Whether positions are interpolated: at the alpha of the clock if true, at 1 if false. */
+    /** Whether advance with fixed steps has run the last step. Then units are drawn at the alpha of the clock. */
     boolean interpolating;
 
     State(Integrator integrator, Timestep timestep) {

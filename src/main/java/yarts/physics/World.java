@@ -85,7 +85,7 @@ public final strictfp class World implements Iterable<Unit> {
      * the pending impulses keep their values. {@link #getAlpha()} follows from them, so the interpolated positions may
      * jump by a part of a step. On a change to variable steps, the waiting time is added to the next advance. On a
      * change to shorter steps, the waiting time (less than a second) may exceed a step: the next advance, even by 0 s,
-     * then runs steps for it.
+     * then runs steps for it. The step limit applies to these, too.
      *
      * @param timestep the timestep
      * @throws IllegalStateException during a step or restore of this world, such as from a {@link StepListener}
@@ -93,7 +93,6 @@ public final strictfp class World implements Iterable<Unit> {
     public void setTimestep(Timestep timestep) {
         checkIdle();
         state.clock.setTimestep(Check.notNull("timestep", timestep));
-        state.interpolating = state.interpolating && timestep.isFixed();
     }
 
     /**
@@ -249,6 +248,7 @@ public final strictfp class World implements Iterable<Unit> {
         elapsed = Check.time("elapsed", elapsed);
         begin("a step");
         try {
+            if (elapsed == 0) Impulses.discard(state.table);
             return getTimestep().isFixed() ? advanceFixed(elapsed) : advanceVariable(elapsed);
         } finally {
             running = null;
@@ -273,10 +273,7 @@ public final strictfp class World implements Iterable<Unit> {
         Clock clock = state.clock;
         Timestep timestep = clock.timestep();
         double before = clock.takeRemainder(), covered = before + elapsed;
-        if (covered == 0) {
-            Impulses.discard(state.table);
-            return 0;
-        }
+        if (covered == 0) return 0;
         double time = Math.min(covered, timestep.maxSteps * timestep.maxStep);
         if (time < covered) clock.drop(covered - time);
         long steps = Math.max(1, (long) (time / timestep.maxStep));
@@ -342,7 +339,7 @@ public final strictfp class World implements Iterable<Unit> {
 
     /** The fraction of the last step at which units are drawn: 1 for the positions after it. */
     double drawnAlpha() {
-        return state.interpolating ? getAlpha() : 1;
+        return state.interpolating && getTimestep().isFixed() ? getAlpha() : 1;
     }
 
     /** Whether a unit of this world took part in the last step. */

@@ -77,6 +77,34 @@ class TimestepChangeTest {
         assertEquals(1.5, early.getTime());
     }
 
+    /** A force of 0 s has no impulse, even if the waiting time becomes steps. */
+    @Test
+    void aForceForZeroSecondsIsDiscardedAfterAChange() {
+        for (Timestep next : List.of(Timestep.fixed(21), Timestep.variable(1))) {
+            World paused = new World(Integrator.EULER, Timestep.fixed(2));
+            Unit resting = paused.add(new Unit(1));
+            paused.advance(0.31830296518763124);
+            paused.setTimestep(next);
+            resting.applyForce(1e6, -1e6);
+            assertTrue(paused.advance(0) > 0);
+            assertEquals("0.0 0.0", resting.getVx() + " " + resting.getVy());
+            assertEquals(0, resting.getPendingImpulseX());
+        }
+    }
+
+    /** With variable steps, a unit is drawn where it is. */
+    @Test
+    void aChangeToVariableStepsAndBackDoesNotChangeWhereAUnitIsDrawn() {
+        world.setTimestep(Timestep.fixed(10));
+        unit.setVelocity(10, 0);
+        world.advance(0.15);
+        assertEquals(0.5, unit.getInterpolatedX());
+        world.setTimestep(Timestep.variable(0.1));
+        assertEquals(1, unit.getInterpolatedX());
+        world.setTimestep(Timestep.fixed(10));
+        assertEquals(0.5, unit.getInterpolatedX());
+    }
+
     /** 600 N for 0.01 s. If a change preserved the fraction of a step, 18 N·s would arrive at 20 steps/s. */
     @Test
     void sixNewtonSecondsArriveInStepsOfAnyLength() {
