@@ -49,7 +49,8 @@ final strictfp class Impulses {
      * }</pre>
      *
      * The share is computed as F + (P (1 − old/before) − F (before − old)) / covered, so that it is exactly F without
-     * waiting time, and if the waiting time is that of one frame with the same force. Variable steps that cover less than a nanosecond do not change P.
+     * waiting time, and if the waiting time is that of one frame with the same force. Variable steps that cover less
+     * than a nanosecond do not change P.
      *
      * @param kept old/before, the fraction of P that stays pending
      * @param used before − old, the seconds of the waiting time that the steps cover
