@@ -107,15 +107,15 @@ final strictfp class Clock {
     }
 
     /**
-     * Returns the waiting time in seconds, and sets it to 0. Less than a part continues to wait: it can be negative,
-     * because a step may have begun less than a part too early.
+     * Returns the waiting time in seconds, and sets it to 0, for a variable step. Less than a part continues to wait: it
+     * can be negative, because a fixed step may have begun less than a part too early.
      */
     double takeRemainder() {
         double parts = remainder + remainderError;
         if (parts < 1) return 0;
         remainder = 0;
         remainderError = 0;
-        return parts / STEP / rate(timestep);
+        return parts / STEP;
     }
 
     double alpha() {

@@ -200,7 +200,7 @@ class SpeedCapPropertyTest {
     private static void assertTop(Unit unit, double cap) {
         assertEquals(cap, unit.getSpeed());
         assertUnder(unit, cap);
-        BigDecimal least = big(cap).multiply(big(1 - 0x1p-48)).pow(2);
+        BigDecimal least = big(cap).multiply(big(1 - 4e-15)).pow(2); // as getSpeed states
         assertTrue(squared(unit.getVx(), unit.getVy()).compareTo(least) >= 0, () -> unit + " with a cap of " + cap);
     }
 

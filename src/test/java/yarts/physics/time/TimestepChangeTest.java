@@ -62,6 +62,16 @@ class TimestepChangeTest {
         }
     }
 
+    /** Less would wait longer. */
+    @Test
+    void aNanosecondIsAVariableStepAfterAChange() {
+        World paused = new World(Integrator.EXACT, Timestep.fixed(1));
+        paused.advance(1e-9);
+        paused.setTimestep(Timestep.variable(1));
+        assertEquals(1, paused.advance(0));
+        assertEquals(1e-9, paused.getTime());
+    }
+
     /** The step began 0.4 ns too early, so a negative time waits. It must not become a step. */
     @Test
     void aStepThatBeganTooEarlyIsNotTakenBack() {
