@@ -2,6 +2,7 @@ package yarts.physics.docs;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.Random;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -59,7 +60,9 @@ class SpringsRecipePropertyTest {
                     if (i > 0) world.get(i - 1).applyForce(pull, 0);
                 }
             });
-            for (int tick = 0; tick < 10_000; tick++) {
+            // At 95 % of the limit, the oscillations of the heaviest units decay by a factor of exp(−12) in this time.
+            double ticks = 10_000 * Arrays.stream(mass).max().orElseThrow() / mass[0];
+            for (int tick = 0; tick < ticks; tick++) {
                 world.step(DT);
                 for (Unit unit : world) if (Math.abs(unit.getX()) > 100) return "grows";
             }
