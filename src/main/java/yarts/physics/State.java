@@ -14,7 +14,10 @@ final strictfp class State {
      * The last id that was given to a unit before the last step. Units with higher ids did not take part in this step.
      */
     long lastSteppedId;
-    /** Whether advance with fixed steps has run the last step. Then units are drawn at the alpha of the clock. */
+    /**
+     * Whether advance with fixed steps has run the last step. If so, and if the timestep is still fixed, units are drawn
+     * at the alpha of the clock.
+     */
     boolean interpolating;
 
     State(Integrator integrator, Timestep timestep) {

@@ -85,7 +85,7 @@ public final strictfp class World implements Iterable<Unit> {
      * the pending impulses keep their values. {@link #getAlpha()} follows from them, so the interpolated positions may
      * jump by a part of a step. On a change to variable steps, the waiting time is added to the next advance. On a
      * change to shorter steps, the waiting time (less than a second) may exceed a step: the next advance, even by 0 s,
-     * then runs steps for it. The step limit applies to these, too.
+     * then runs steps for it, up to {@link Timestep#withMaxSteps}, and drops the rest.
      *
      * @param timestep the timestep
      * @throws IllegalStateException during a step or restore of this world, such as from a {@link StepListener}

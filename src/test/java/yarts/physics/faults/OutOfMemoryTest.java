@@ -46,7 +46,7 @@ class OutOfMemoryTest {
         assertFailed(failures("32"));
     }
 
-    /** At the borders of tiles and arrays, beside the size above. */
+    /** Sizes at the borders of tiles and arrays. The test above has another size. */
     @Test
     @Tag("long")
     void aCallWithoutMemoryChangesNothingInWorldsOfAnySize() throws Exception {

@@ -62,6 +62,21 @@ class TimestepChangeTest {
         }
     }
 
+    /** 54 steps are due for 0.9 s, and 15 run. */
+    @Test
+    void waitingTimeBeyondTheStepLimitIsDroppedAfterAChange() {
+        world.setTimestep(Timestep.fixed(1));
+        unit.applyForce(10, 0);
+        world.advance(0.9);
+        assertEquals(9, unit.getPendingImpulseX(), 1e-15);
+        world.setTimestep(Timestep.fixed(60));
+        assertEquals(15, world.advance(0));
+        assertEquals(0.25, world.getTime());
+        assertEquals(0.65, world.getDroppedTime());
+        assertEquals(2.5, unit.getVx(), 1e-14);
+        assertEquals(0, unit.getPendingImpulseX());
+    }
+
     /** Less would wait longer. */
     @Test
     void aNanosecondIsAVariableStepAfterAChange() {
